@@ -200,8 +200,8 @@ std::vector<Scene> scenes_by_name(const std::vector<std::string>& names) {
     return scenes;
 }
 
-/// Those that come with the program, but for the large ones, whose steps have derivatives of too
-/// many parts, and those in scaled time. NOTE: of events there is nothing to see here.
+/// Scenes that come with the program, but for large ones, whose steps have derivatives of too many
+/// parts, and those in scaled time. NOTE: of events there is nothing to see here.
 std::vector<Scene> all_scenes() {
     std::vector<Scene> result;
     for (const SceneEntry& entry : scenes()) {

@@ -324,8 +324,8 @@ void run(const RunOptions& options) {
     files.keep(subject, steps, simulation, tables, options.files, summary);
     if (wished.section && options.files.contains(RunFile::table) &&
         options.files.contains(RunFile::picture))
-        files.keep_section("events of " + subject.scene + ", " + subject.method,
-                           events_met(wished.events, simulation), *wished.section);
+        files.keep_section(section_of("events of " + subject.scene + ", " + subject.method,
+                                      *wished.section, wished.events, simulation));
     if (!simulation.ok())
         throw MathError(
             fmt::format("the run stopped after {}: {}", what_was_done(wished, simulation),

@@ -161,11 +161,10 @@ void RunFiles::keep_frequencies(const std::vector<ColumnFrequencies>& found) con
         write_file(directory_->path() / frequencies_name, table_of(found));
 }
 
-void RunFiles::keep_section(const std::string& title, const std::vector<std::string>& events,
-                            const SectionAxes& axes) const {
-    if (!directory_ || events.empty()) return;
-    const fs::path table = directory_->path() / events_name;
-    write_file(directory_->path() / section_name, draw({title, table, events, axes.x, axes.y}));
+void RunFiles::keep_section(SectionPicture picture) const {
+    if (!directory_ || picture.events.empty()) return;
+    picture.table = directory_->path() / events_name;
+    write_file(directory_->path() / section_name, draw(picture));
 }
 
 void RunFiles::keep_table(const Simulation& run, TableFormat format) {

@@ -47,10 +47,9 @@ public:
     /// Keeps the frequencies of columns, where there are some. Throws EnvironmentError.
     void keep_frequencies(const std::vector<ColumnFrequencies>& found) const;
 
-    /// Keeps the picture of events of these names. Throws EnvironmentError. Precondition: their
-    /// table has been kept.
-    void keep_section(const std::string& title, const std::vector<std::string>& events,
-                      const SectionAxes& axes) const;
+    /// Keeps the picture of events, whose table has been kept, where there is one. Throws
+    /// EnvironmentError.
+    void keep_section(SectionPicture picture) const;
 
     /// Keeps the tables, as far as they are. Throws EnvironmentError.
     void keep_table(const Simulation& run, TableFormat format);

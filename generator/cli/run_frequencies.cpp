@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "generator/drive/table.hpp"
+
 namespace hvi::gen {
 
 namespace {
@@ -62,10 +64,9 @@ lines_of(const std::vector<ColumnFrequencies>& found) {
 std::string table_of(const std::vector<ColumnFrequencies>& found) {
     std::string text = "column,number,frequency,amplitude,phase,uncertainty\n";
     for (const ColumnFrequencies& column : found) {
-        const char* quote = column.name.find(',') == std::string::npos ? "" : "\"";
         std::size_t number = 0;
         for (const FrequencyTerm& term : column.terms)
-            text += fmt::format("{}{}{},{},{},{},{},{}\n", quote, column.name, quote, number++,
+            text += fmt::format("{},{},{},{},{},{}\n", text_of_cell(column.name), number++,
                                 term.frequency, term.amplitude, term.phase, term.uncertainty);
     }
     return text;

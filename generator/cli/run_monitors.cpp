@@ -7,8 +7,10 @@
 #include <complex>
 #include <string_view>
 
+#include "generator/drive/table.hpp"
 #include "generator/pipeline/passes.hpp"
 #include "generator/read/nearest.hpp"
+#include "generator/read/parse.hpp"
 #include "generator/support/bar.hpp"
 #include "generator/support/pace.hpp"
 
@@ -54,22 +56,6 @@ void check_count_of_directions(const Scene& scene, const RunOptions& options) {
         scene.place, "--lyapunov, --megno and --sali take one or two directions");
 }
 
-/// The names between commas, with their places.
-std::vector<std::pair<std::string, Place>> names_in_list(const Given& list) {
-    std::vector<std::pair<std::string, Place>> names;
-    const std::string& text = list->text;
-    for (std::size_t begin = 0; begin <= text.size();) {
-        const std::size_t comma = std::min(text.find(',', begin), text.size());
-        const std::size_t first = std::min(text.find_first_not_of(' ', begin), comma);
-        const std::size_t last = first == comma ? comma : text.find_last_not_of(' ', comma - 1) + 1;
-        const Place place =
-            first == last ? Place{list, {begin, comma}} : Place{list, {first, last}};
-        names.emplace_back(text.substr(first, last - first), place);
-        begin = comma + 1;
-    }
-    return names;
-}
-
 /// Throws InputError where the scene has no such parameter that is a number of a program.
 void check_parameter(const Scene& scene, const SceneStepper& stepper, const std::string& name,
                      const Place& place) {
@@ -90,11 +76,15 @@ std::vector<Sensitivity> sensitivities_of(const MethodAndScene& both, const Scen
     constexpr std::string_view what = "--sensitivity";
     std::vector<Sensitivity> result;
     check_steps(both.scene, what);
-    for (const auto& [name, place] : names_in_list(list)) {
-        if (name.empty())
-            throw InputError("the name of a parameter is missing", place,
-                             "names stand between commas: \"mu, ecc\"");
+    for (const Name& each : parse_names(list)) {
+        const Place place{list, each.range};
+        const std::string name =
+            list->text.substr(each.range.begin, each.range.end - each.range.begin);
         check_parameter(both.scene, stepper, name, place);
+        const bool is_new =
+            std::none_of(result.begin(), result.end(),
+                         [&](const Sensitivity& other) { return other.parameter == name; });
+        if (!is_new) throw InputError(fmt::format("`{}` is named twice", name), place);
         result.push_back({name, sensitivity_stepper(both.method, both.scene, wishes, name, what)});
     }
     return result;
@@ -241,12 +231,8 @@ std::string table_of_sensitivities(const Monitors& monitors, const MonitorFindin
                                    const std::vector<NameBox>& names) {
     if (monitors.sensitivities.empty()) return "";
     std::string text = "parameter";
-    const auto cell = [&](const std::string& name) {
-        const std::string_view quote = name.find(',') == std::string::npos ? "" : "\"";
-        text += fmt::format(",{0}{1}{0}", quote, name);
-    };
     const std::size_t count = found.sensitivities.front().own.size();
-    for (std::size_t k = 0; k < count; ++k) cell(name_at(names, k));
+    for (std::size_t k = 0; k < count; ++k) text += "," + text_of_cell(name_at(names, k));
     for (std::size_t k = 0; k < monitors.sensitivities.size(); ++k) {
         text += "\n" + monitors.sensitivities[k].parameter;
         for (const double value : found.sensitivities[k].own) text += fmt::format(",{}", value);

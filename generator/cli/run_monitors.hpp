@@ -22,7 +22,7 @@ struct Sensitivity {
     SceneStepper stepper;
 };
 
-/// What is wished to be measured, and the steppers for it.
+/// Measurements that are wished for, and the steppers for them.
 struct Monitors {
     TangentWishes tangents = {};
     std::optional<SceneStepper> tangent = {};  ///< of directions, where these are wished for

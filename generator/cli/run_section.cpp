@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
+#include <vector>
 
 namespace hvi::gen {
 
@@ -25,9 +27,9 @@ std::optional<SectionAxes> section_axes(const WrittenOutScene& scene, const RunS
     const std::vector<std::string> coordinates = all_names(subject.coordinates),
                                    momenta = all_names(subject.momenta);
     const auto is_axis = [&](const std::string& name) {
-        return std::none_of(
-            scene.events.begin(), scene.events.end(),
-            [&](const SceneEvent& event) { return to_text(event.zero.expression) == name; });
+        return std::none_of(scene.events.begin(), scene.events.end(), [&](const SceneEvent& event) {
+            return to_text(event.zero.expression) == name;
+        });
     };
     if (scene.events.empty() || coordinates.size() != momenta.size()) return {};
     for (std::size_t k = 0; k < coordinates.size(); ++k)
@@ -37,12 +39,15 @@ std::optional<SectionAxes> section_axes(const WrittenOutScene& scene, const RunS
     return {{{column_of_time, "t"}, {first_variable + coordinates.size(), momenta.front()}}};
 }
 
-std::vector<std::string> events_met(const EventWishes& wishes, const Simulation& run) {
-    std::vector<std::string> names;
-    for (std::size_t i = 0; i < run.events.size(); ++i)
-        if (run.events[i] > 0 && !wishes.events[i].event.is_kink)
-            names.push_back(wishes.events[i].name);
-    return names;
+SectionPicture section_of(std::string title, const SectionAxes& axes, const EventWishes& wishes,
+                          const Simulation& run) {
+    SectionPicture picture{std::move(title), {}, 0, {}, axes.x, axes.y};
+    for (std::size_t i = 0; i < run.events.size(); ++i) {
+        if (run.events[i] == 0 || wishes.events[i].event.is_kink) continue;
+        picture.rows += run.events[i];
+        picture.events.push_back(wishes.events[i].name);
+    }
+    return picture;
 }
 
 }  // namespace hvi::gen

@@ -4,7 +4,6 @@
 
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "generator/draw/section.hpp"
 #include "generator/drive/trajectory.hpp"
@@ -23,7 +22,8 @@ struct SectionAxes {
 [[nodiscard]] std::optional<SectionAxes> section_axes(const WrittenOutScene& scene,
                                                       const RunSubject& subject);
 
-/// The names of events that a run has met.
-[[nodiscard]] std::vector<std::string> events_met(const EventWishes& wishes, const Simulation& run);
+/// The picture of the events that a run has met, without its table.
+[[nodiscard]] SectionPicture section_of(std::string title, const SectionAxes& axes,
+                                        const EventWishes& wishes, const Simulation& run);
 
 }  // namespace hvi::gen

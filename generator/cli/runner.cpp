@@ -5,6 +5,7 @@
 
 #include <cstdio>
 #include <string>
+#include <utility>
 
 #include "generator/interpret/interpretation.hpp"
 
@@ -30,7 +31,7 @@ Target Runner::target(const SceneStepper& stepper) {
     if (!obstacle.empty())
         throw InputError("this cannot be run without a compiler: " + obstacle, interpret_,
                          "what can be is in docs/interpreter.md");
-    if (missing_)
+    if (missing_ && !std::exchange(has_said_so_, true))
         std::fputs(fmt::format("note: {}; steps are interpreted\n", missing_->what()).c_str(),
                    stderr);
     return Interpreted{interpretation(stepper)};

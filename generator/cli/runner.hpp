@@ -1,4 +1,4 @@
-// What takes the steps of a run: a compiled module, or hvi-gen itself.
+// A runner takes the steps of a run: a compiled module, or hvi-gen itself.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -29,6 +29,7 @@ private:
     std::optional<Place> interpret_;
     std::optional<Compiler> compiler_;
     std::optional<EnvironmentError> missing_;
+    bool has_said_so_ = false;  ///< that steps are interpreted for want of a compiler
     std::optional<Builds> builds_;
     std::map<const SceneStepper*, ModuleBuild> begun_;
 };

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "generator/draw/gnuplot.hpp"
 
 namespace hvi::gen {
@@ -10,6 +12,7 @@ namespace hvi::gen {
 namespace {
 
 constexpr int section_width = 720, section_height = 640;
+constexpr std::int64_t most_points = 20'000;  // some 2 MB of SVG
 
 // Told apart by colour and, in print, by their marks.
 constexpr const char* points = R"(
@@ -28,11 +31,13 @@ constexpr std::size_t point_styles = 5;
 /// NOTE: the names of events are identifiers, in which nothing is markup of a string of gnuplot.
 std::string points_of(const SectionPicture& picture, std::size_t k) {
     const std::string& name = picture.events[k];
-    return fmt::format("{} skip 1 using (strcol(1) eq {} ? column({}) : NaN):(column({})) with "
-                       "points linestyle {} title {}",
-                       gnuplot_quoted(picture.table.filename().string()), gnuplot_quoted(name),
-                       picture.x.number, picture.y.number, k % point_styles + 1,
-                       gnuplot_label(name));
+    const std::int64_t stride = (picture.rows + most_points - 1) / most_points;
+    return fmt::format(
+        "{} skip 1 every {} using (strcol(1) eq {} ? column({}) : NaN):(column({})) with "
+        "points linestyle {} title {}",
+        gnuplot_quoted(picture.table.filename().string()), std::max<std::int64_t>(1, stride),
+        gnuplot_quoted(name), picture.x.number, picture.y.number, k % point_styles + 1,
+        gnuplot_label(name));
 }
 
 }  // namespace

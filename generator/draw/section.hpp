@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -15,6 +16,7 @@ struct SectionPicture {
     std::string title;
     /// A row of names, and rows with the name of an event, its number, and numbers.
     std::filesystem::path table;
+    std::int64_t rows = 0;            ///< of numbers; of many some are shown, evenly spaced
     std::vector<std::string> events;  ///< names of those that are shown, at least one
     TableColumn x, y;
 };

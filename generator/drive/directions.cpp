@@ -48,9 +48,8 @@ Status Directions::step(double h) {
     return {};
 }
 
-DirectionVector Directions::direction(std::size_t k) const {
-    const auto n = static_cast<std::ptrdiff_t>(degrees());
-    const DrivenStepper::State& x = states_[k];
+DirectionVector direction_of(const DrivenStepper::State& x) {
+    const auto n = static_cast<std::ptrdiff_t>(x.q.size() / 2);
     DirectionVector v(x.q.begin() + n, x.q.end());
     v.insert(v.end(), x.p.begin(), x.p.begin() + n);
     return v;

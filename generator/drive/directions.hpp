@@ -15,6 +15,9 @@ using DirectionVector = std::vector<double>;
 [[nodiscard]] double norm_of(const DirectionVector& v);
 [[nodiscard]] double product_of(const DirectionVector& v, const DirectionVector& w);
 
+/// The direction in a state (q, dq), (dp, p).
+[[nodiscard]] DirectionVector direction_of(const DrivenStepper::State& x);
+
 /// Directions that begin where the scene does. Each has a stepper of its own, for states (q, dq),
 /// (dp, p), and all go along the motion of the first: where rounding makes another one of it, as
 /// stages are solved for, the others are put back.
@@ -29,7 +32,9 @@ public:
     /// Half the numbers of a direction.
     [[nodiscard]] std::size_t degrees() const { return states_.front().q.size() / 2; }
 
-    [[nodiscard]] DirectionVector direction(std::size_t k) const;
+    [[nodiscard]] DirectionVector direction(std::size_t k) const {
+        return direction_of(states_[k]);
+    }
     void set(std::size_t k, const DirectionVector& v);
 
 private:

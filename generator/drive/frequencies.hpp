@@ -35,7 +35,7 @@ inline constexpr std::size_t fewest_samples = 64;
 /// have. Where the motion is quasi-periodic that covers the error, as the error of half the time
 /// is some 8 to 16 times that of the whole; where it is chaotic it is the drift of the frequency.
 ///
-/// Of n samples there are n/16 terms at most, of halves too. Preconditions: at least
+/// There are at most n/16 terms of n samples, also in each half. Preconditions: at least
 /// fewest_samples, all finite; the step is not 0.
 [[nodiscard]] std::vector<FrequencyTerm> frequencies(const Samples& samples, std::size_t most);
 

@@ -15,6 +15,13 @@
 
 namespace hvi::gen {
 
+/// A text as comma-separated values have it: in quotes where a comma is in it, as in u[1,2].
+/// Precondition: there is no quote in it.
+[[nodiscard]] inline std::string text_of_cell(std::string_view text) {
+    const std::string_view quote = text.find(',') == std::string_view::npos ? "" : "\"";
+    return std::string(quote).append(text).append(quote);
+}
+
 /// Rows of numbers below a line of names. Whether all of it was written is known at close().
 class NumberTable {
 public:
@@ -35,11 +42,9 @@ public:
 
     [[nodiscard]] bool good() const { return good_; }
 
-    /// NOTE: in quotes where a comma is in it, as in u[1,2].
     NumberTable& cell(std::string_view text) {
-        const std::string_view quote = text.find(',') == std::string_view::npos ? "" : "\"";
         if (!line_.empty()) { line_ += ','; }
-        line_.append(quote).append(text).append(quote);
+        line_ += text_of_cell(text);
         return *this;
     }
 

@@ -182,12 +182,7 @@ bool tell_matrix(const TangentWishes& wishes, ProgressOfSteps progress) {
 }
 
 bool tell_own(const TangentWishes& wishes, ProgressOfSteps progress) {
-    DirectionVector start;
-    const DrivenStepper::State x = DrivenProblem::initial();
-    const auto n = static_cast<std::ptrdiff_t>(degrees_of_problem());
-    start.assign(x.q.begin() + n, x.q.end());
-    start.insert(start.end(), x.p.begin(), x.p.begin() + n);
-    Directions directions({start});
+    Directions directions({direction_of(DrivenProblem::initial())});
     if (!take(directions, wishes, progress, [](std::int64_t) {})) return false;
     for (const double component : directions.direction(0)) driver::say("component", component);
     return true;

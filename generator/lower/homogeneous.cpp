@@ -10,6 +10,7 @@
 #include "generator/graph/replaced.hpp"
 #include "generator/lower/accesses.hpp"
 #include "generator/lower/slopes.hpp"
+#include "generator/lower/taken_names.hpp"
 #include "generator/support/error.hpp"
 
 namespace hvi::gen {
@@ -83,17 +84,13 @@ Scaled made_homogeneous(Graph& graph, const Scaled& f, const std::vector<Node>& 
 /// Coordinates with their momenta, behind all others.
 class NewPairs {
 public:
-    explicit NewPairs(System& system) : system_(system) {
-        for (Node node = 0; node < system.graph.size(); ++node) {
-            taken_.insert(system.graph.at(node).name);
-        }
-    }
+    explicit NewPairs(System& system) : system_(system), taken_(taken_names(system)) {}
 
     /// Adds a pair that begins at these numbers, and returns the inputs.
     std::pair<Scaled, Scaled> add(std::string q, long q_start, std::string p, long p_start) {
         const std::size_t number = system_.coordinates.size();
-        system_.coordinates.push_back({free(std::move(q)), {}});
-        system_.conjugates.push_back({free(std::move(p)), {}});
+        system_.coordinates.push_back({new_name(std::move(q), taken_), {}});
+        system_.conjugates.push_back({new_name(std::move(p), taken_), {}});
         const Scaled node_q =
             system_.graph.input(system_.coordinates.back().name, Role::coordinate);
         const Scaled node_p = system_.graph.input(system_.conjugates.back().name, Role::conjugate);
@@ -110,11 +107,6 @@ public:
 private:
     [[nodiscard]] static SystemStart start(long value) {
         return {SystemStart::Rule{{}, Graph::number(value)}};
-    }
-
-    [[nodiscard]] std::string free(std::string name) {
-        while (!taken_.insert(name).second) { name += "_"; }
-        return name;
     }
 
     void insert_access(Access access, std::size_t place) {

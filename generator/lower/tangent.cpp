@@ -57,7 +57,7 @@ private:
     using Sums = std::vector<SystemSum>;
 
     /// Adds the families of directions, `d_x` for x: coordinates (q, dq), and the momenta (dp, p).
-    /// Of an L the velocities are (v, dv), as v goes with q.
+    /// The velocities of an L are (v, dv), as v goes with q.
     void add_families() {
         system_.coordinates = joined(system_.coordinates, directions_of(system_.coordinates));
         const Families directions = directions_of(system_.conjugates);

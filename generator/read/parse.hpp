@@ -46,7 +46,7 @@ struct List {
 /// than 64 KiB, and for one nested deeper than 200.
 [[nodiscard]] Expression parse_expression(std::shared_ptr<const Source> source);
 
-/// The same for a part of a source. Precondition: `part` lies within the text.
+/// Reads one that is a part of a source. Precondition: `part` lies within the text.
 [[nodiscard]] Expression parse_expression(std::shared_ptr<const Source> source, Range part);
 
 /// An expression in which names can have indices and sums run over them, as it was written; see
@@ -83,7 +83,7 @@ struct Name {
 /// InputError for any other text.
 [[nodiscard]] std::vector<Name> parse_names(std::shared_ptr<const Source> source);
 
-/// The same for a part of a source. Precondition: `part` lies within the text.
+/// Reads such a list that is a part of a source. Precondition: `part` lies within the text.
 [[nodiscard]] std::vector<Name> parse_names(std::shared_ptr<const Source> source, Range part);
 
 /// A name whose indices have names: `u[i,j]`.

@@ -47,7 +47,7 @@ struct ColumnBox {
 [[nodiscard]] std::vector<ColumnBox>
 named_columns(const Given& list, const std::vector<NameBox>& all, const WholeNumbers& sizes);
 
-/// The same for a part of a list. Precondition: `part` lies within its text.
+/// Columns that a part of a list names. Precondition: `part` lies within its text.
 [[nodiscard]] std::vector<ColumnBox> named_columns(const Given& list, Range part,
                                                    const std::vector<NameBox>& all,
                                                    const WholeNumbers& sizes);

@@ -240,10 +240,6 @@ std::string fault_of_event(const Answers& answers, const EventWishes& wishes) {
     return {};
 }
 
-}  // namespace
-
-namespace {
-
 /// The frequencies of columns.
 std::vector<ColumnFrequencies> frequencies_of(const std::vector<ColumnBox>& columns,
                                               const Answers& answers) {

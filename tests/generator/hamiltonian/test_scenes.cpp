@@ -97,7 +97,7 @@ TEST_CASE("invariants do not change") {
             ++count;
         }
     }
-    // Of small scenes 16, of toda-ring 3, of ring-of-bodies 1, of plummer and of atoms 6 each.
+    // Small scenes have 16, toda-ring 3, ring-of-bodies 1, plummer and atoms 6 each.
     CHECK(count == 38);
 }
 

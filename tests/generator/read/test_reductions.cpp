@@ -1,4 +1,4 @@
-// Which functions of columns are wanted over a run.
+// Lists of functions of columns, such as `min(x), mean(energy)`.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <catch2/catch.hpp>
 

@@ -425,7 +425,8 @@ TEST_CASE("events have a picture") {
     };
     run("-o first");
     run("-o second");
-    // Of x = 0 the first other coordinate and its momentum are shown, and nothing of what is far.
+    // The picture of x = 0 shows the first other coordinate and its momentum, and nothing of what
+    // is far.
     const std::string picture = contents(directory / "first" / "events.svg");
     CHECK(picture == contents(directory / "second" / "events.svg"));
     CHECK(picture.find(">y<") != std::string::npos);

@@ -95,7 +95,7 @@ TEST_CASE("two oscillators have their frequencies, amplitudes and phases") {
 }
 
 TEST_CASE("the frequency is that of the steps") {
-    // Those of Stormer-Verlet turn by 2 asin(h/2).
+    // A step of Stormer-Verlet turns by 2 asin(h/2).
     const FrequencyRun run =
         analysed("hamiltonian = \"(p^2 + q^2)/2\"\ncoordinates = [\"q\"]\nmomenta = [\"p\"]\n"
                  "initial = {q = 1, p = 0}\n",

@@ -14,7 +14,7 @@ using namespace hvi::test;
 
 namespace {
 
-/// What a summary says of a name.
+/// The text of the summary behind a name.
 double said_in(const std::string& summary, const std::string& name) {
     SceneRun run;
     run.outcome.out = summary;

@@ -128,7 +128,8 @@ TEST_CASE("parameters that are none are refused") {
     };
     refused("a, e", "there is no parameter `e` to differentiate by");
     refused("a, x", "there is no parameter `x`");
-    refused("a,", "the name of a parameter is missing");
+    refused("a,", "a name is wanted here");
+    refused("a, b, a", "`a` is named twice");
     refused("", "--sensitivity");
 }
 

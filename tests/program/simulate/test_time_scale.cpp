@@ -16,6 +16,13 @@ using namespace hvi::test;
 
 namespace {
 
+/// Checks that a run ends with this status and says why.
+void check_refused(const SceneRun& run, int status, const std::string& reason) {
+    CAPTURE(run.outcome.err);
+    CHECK(run.outcome.status == status);
+    CHECK(run.outcome.err.find(reason) != std::string::npos);
+}
+
 /// A planet that begins at its perihelion on an ellipse of semi-axis 1.
 std::string planet(const std::string& eccentricity, const std::string& more) {
     return "hamiltonian = \"(px^2 + py^2)/2 - 1/sqrt(x^2 + y^2)\"\n"
@@ -190,8 +197,7 @@ TEST_CASE("a first step in scaled time that fails is one that fails") {
     const SceneRun found =
         run_scene(planet("99/100", "[time]\nscale = \"1 + x^2\"\n"), "--method gauss:6");
     INFO(found.outcome.err);
-    CHECK(found.outcome.status == 1);
-    CHECK(found.outcome.err.find("the run stopped after 0 steps") != std::string::npos);
+    check_refused(found, 1, "the run stopped after 0 steps");
 }
 
 TEST_CASE("time is scaled for a Lagrangian as for its Hamiltonian") {
@@ -246,16 +252,14 @@ TEST_CASE("time is scaled for a Lagrangian as for its Hamiltonian") {
     const SceneRun set = run_scene(by_L + "[time]\nscale = \"distance\"\n[events.wall]\n"
                                           "zero = \"x\"\nset = {vx = \"-vx\"}\n",
                                    "--method gauss:6");
-    CHECK(set.outcome.status == 2);
-    CHECK(set.outcome.err.find("events of a Lagrangian set nothing") != std::string::npos);
+    check_refused(set, 2, "events of a Lagrangian set nothing");
     // Where L is not quadratic in the velocities its H is not found.
     const SceneRun other = run_scene("lagrangian = \"-sqrt(1 - v^2) - q^2/2\"\n"
                                      "coordinates = [\"q\"]\nvelocities = [\"v\"]\n"
                                      "initial = {q = 1, v = 0}\nrun = {method = \"gauss:4\", "
                                      "step = \"1/10\", until = 1}\n"
                                      "[time]\nscale = \"1 + q^2\"\n");
-    CHECK(other.outcome.status == 1);
-    CHECK(other.outcome.err.find("not seen to be quadratic") != std::string::npos);
+    check_refused(other, 1, "not seen to be quadratic");
 }
 
 TEST_CASE("time is scaled where sums stay loops as where they are written out") {
@@ -396,14 +400,12 @@ TEST_CASE("scales that are none are refused with their place") {
                   "momenta = [\"p\"]\ninitial = {q = 0, p = 1}\n"
                   "run = {method = \"gauss:4\", step = 0.1, until = 1}\n"
                   "[time]\nscale = \"logarithmic\"\n");
-    CHECK(mixed.outcome.status == 2);
-    CHECK(mixed.outcome.err.find("depends on both") != std::string::npos);
+    check_refused(mixed, 2, "depends on both");
     const SceneRun positive = run_scene("hamiltonian = \"p^2/2 + q^2/2\"\ncoordinates = [\"q\"]\n"
                                         "momenta = [\"p\"]\ninitial = {q = 1, p = 0}\n"
                                         "run = {method = \"gauss:4\", step = 0.1, until = 1}\n"
                                         "[time]\nscale = \"logarithmic\"\n");
-    CHECK(positive.outcome.status == 1);
-    CHECK(positive.outcome.err.find("-U is not seen to be positive") != std::string::npos);
+    check_refused(positive, 1, "-U is not seen to be positive");
 }
 
 TEST_CASE("scenes of scaled time and of jumps come with the program") {
