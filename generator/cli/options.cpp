@@ -223,7 +223,7 @@ ModuleOptions module_options(const Words& words, const CommandLine& line) {
     options.wishes = wishes_of(words);
     options.system.sums = {options.wishes.unroll, wish_without_loops(options.wishes)};
     options.name = words.value("--name");
-    static_cast<void>(words.choice<Language>("--language"));  // refuses what is to come
+    options.language = words.choice<Language>("--language").value_or(Language::c);
     if (const auto directory = output_option(words)) options.output = *directory;
     return options;
 }

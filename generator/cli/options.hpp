@@ -104,6 +104,7 @@ struct ModuleOptions {
     SystemOptions system;  ///< a scene
     StepperWishes wishes;  ///< solver, lanes, sums and composition alone
     Given name;            ///< what functions and files begin with; else that of the scene
+    Language language = Language::c;
     std::filesystem::path output = ".";  ///< a directory
 };
 

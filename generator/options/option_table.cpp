@@ -60,7 +60,7 @@ constexpr std::array lanes_of_one = {choice("auto", Lanes::automatic),
 constexpr std::array unrolls = {choice("auto", Unroll::automatic), choice("yes", Unroll::yes),
                                 choice("no", Unroll::no)};
 constexpr std::array languages = {choice("c", Language::c),
-                                  choice("python", Language::python, State::to_come)};
+                                  choice("python", Language::python)};
 constexpr std::array table_formats = {choice("csv", TableFormat::csv),
                                       choice("npy", TableFormat::npy),
                                       choice("hdf5", TableFormat::hdf5)};
@@ -301,7 +301,7 @@ constexpr std::array table = {
                 .value = Value::choice,
                 .placeholder = "LANGUAGE",
                 .choices = languages,
-                .help = "Of those who call it (c)"},
+                .help = "Of those who call it: c, or a whole package for python"},
     OptionEntry{
         .name = "--accuracy",
         .of = {stepper, run},
