@@ -185,7 +185,8 @@ class Integration:
         self.width = 1 + len(stepper.variables) + 1 + len(self.invariants)
         self.columns = None
         self.status, self.message = 0, "the end was reached"
-        self.short = None  #: takes short steps
+        self.short: Stepper | None = None  #: takes short steps
+        self.bar: Progress | None = None
         self.done = 0  #: steps
 
     def run(self, t_eval: Any, every: int | None, events: Any, dense: bool,
