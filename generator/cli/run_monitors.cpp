@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <complex>
 #include <string_view>
 
@@ -107,6 +108,11 @@ double rest_of(const Simulation& run, double h) {
     return run.stopped_by ? run.t - static_cast<double>(run.steps) * h : 0;
 }
 
+const DrivenEvent& event_named(const std::string& name, const EventWishes& events) {
+    return *std::find_if(events.events.begin(), events.events.end(),
+                         [&](const DrivenEvent& event) { return event.name == name; });
+}
+
 using Lines = std::vector<std::pair<std::string, std::string>>;
 
 /// `2.1 0.5+0.8i 0.5-0.8i 0.47`
@@ -135,6 +141,29 @@ void add_directions(const TangentFindings& found, Lines& lines) {
     if (!found.multipliers.empty()) lines.emplace_back("multipliers", text_of(found.multipliers));
     if (!found.fault.empty())
         lines.emplace_back("directions", "not carried to the end: " + found.fault);
+}
+
+/// Says what there is of the event that ended the run. NOTE: that it is not built is no fault, as
+/// the matrix is there.
+void add_event(const MonitorFindings& found, Lines& lines) {
+    const TangentFindings& directions = found.directions;
+    if (found.event.empty() || !directions.fault.empty()) return;
+    if (!found.has_crossing) {
+        lines.emplace_back("section", "its derivatives are not built for a Lagrangian and where "
+                                      "sums stay loops");
+        return;
+    }
+    if (directions.event.empty()) {
+        lines.emplace_back("section", fmt::format("the motion touches `{}`: its time has no "
+                                                  "derivative by the start",
+                                                  found.event));
+        return;
+    }
+    lines.emplace_back("section", fmt::format("derivatives of the time and the state of `{}` by "
+                                              "the start are in section.csv",
+                                              found.event));
+    if (!directions.return_multipliers.empty())
+        lines.emplace_back("return map", text_of(directions.return_multipliers));
 }
 
 std::string said_of(const ShadowFindings& found) {
@@ -194,14 +223,20 @@ void begin(const Monitors& monitors, Runner& runner) {
     for (const Sensitivity& each : monitors.sensitivities) runner.begin(each.stepper);
 }
 
-MonitorFindings measured(const Monitors& monitors, const Simulation& run, double h,
-                         Runner& runner) {
+MonitorFindings measured(const Monitors& monitors, const Simulation& run, const EventWishes& events,
+                         double h, Runner& runner) {
     MonitorFindings found;
     if (monitors.tangent && (run.steps > 0 || run.stopped_by)) {
         TangentWishes wishes = monitors.tangents;
         wishes.h = h;
         wishes.steps = run.steps;
         wishes.rest = rest_of(run, h);
+        wishes.t = run.t;
+        if (run.stopped_by && wishes.matrix) {
+            wishes.crossing = event_named(*run.stopped_by, events).crossing;
+            found.event = *run.stopped_by;
+            found.has_crossing = bool(wishes.crossing);
+        }
         Shown shown(run, "steps with directions");
         found.directions = find_tangents(runner.target(*monitors.tangent), wishes,
                                          [&](double part) { shown(part); });
@@ -240,9 +275,24 @@ std::string table_of_sensitivities(const Monitors& monitors, const MonitorFindin
     return text + "\n";
 }
 
+std::string table_of_event(const MonitorFindings& found, const std::vector<NameBox>& names) {
+    const std::vector<double>& entries = found.directions.event;
+    if (entries.empty()) return "";
+    const auto count = static_cast<std::size_t>(std::lround(std::sqrt(entries.size())));
+    std::string text = "of";
+    for (std::size_t k = 0; k < count; ++k) text += "," + text_of_cell(name_at(names, k));
+    for (std::size_t row = 0; row <= count; ++row) {
+        text += "\n" + (row == 0 ? "t" : text_of_cell(name_at(names, row - 1)));
+        for (std::size_t k = 0; k < count; ++k)
+            text += fmt::format(",{}", entries[row * count + k]);
+    }
+    return text + "\n";
+}
+
 Lines lines_of(const Monitors& monitors, const MonitorFindings& found) {
     Lines lines;
     add_directions(found.directions, lines);
+    add_event(found, lines);
     if (!monitors.sensitivities.empty())
         lines.emplace_back("sensitivity",
                            fmt::format("derivatives by {} parameter{} are in sensitivity.csv",

@@ -37,6 +37,9 @@ public:
     }
     void set(std::size_t k, const DirectionVector& v);
 
+    /// The state that all go along: (q, dq), (dp, p), with the first direction.
+    [[nodiscard]] const DrivenStepper::State& state() const { return states_.front(); }
+
 private:
     std::vector<DrivenStepper> steppers_;
     std::vector<DrivenStepper::State> states_;

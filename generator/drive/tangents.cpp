@@ -169,6 +169,23 @@ double symplecticity_error(const std::vector<DirectionVector>& columns) {
     return error / (largest * largest);
 }
 
+/// The state itself, at the end of directions.
+DrivenStepper::State end_of(const Directions& directions) {
+    const DrivenStepper::State& both = directions.state();
+    const auto n = static_cast<std::ptrdiff_t>(directions.degrees());
+    DrivenStepper::State x;
+    x.q.assign(both.q.begin(), both.q.begin() + n);
+    x.p.assign(both.p.begin() + n, both.p.end());
+    return x;
+}
+
+/// Row by row: the time of the event, then its state.
+void tell_event(const EventDerivative& of) {
+    for (const double entry : of.time) driver::say("event", entry);
+    for (std::size_t row = 0; row < of.time.size(); ++row)
+        for (const DirectionVector& column : of.state) driver::say("event", column[row]);
+}
+
 bool tell_matrix(const TangentWishes& wishes, ProgressOfSteps progress) {
     const std::size_t count = 2 * degrees_of_problem();
     Directions directions(all_units(count));
@@ -178,6 +195,10 @@ bool tell_matrix(const TangentWishes& wishes, ProgressOfSteps progress) {
     for (std::size_t row = 0; row < count; ++row)
         for (const DirectionVector& column : columns) driver::say("entry", column[row]);
     driver::say("form", symplecticity_error(columns));
+    if (!wishes.crossing) return true;
+    const EventCrossing crossing = wishes.crossing(end_of(directions), wishes.t);
+    if (const auto of = event_derivative(crossing, columns)) tell_event(*of);
+    if (crossing.by_time == 0) driver::say("surface", "stays");
     return true;
 }
 
