@@ -9,6 +9,8 @@
 #include <string_view>
 
 #include "generator/drive/table.hpp"
+#include "generator/hamiltonian/time_scale.hpp"
+#include "generator/interpret/event_program.hpp"
 #include "generator/pipeline/passes.hpp"
 #include "generator/read/nearest.hpp"
 #include "generator/read/parse.hpp"
@@ -57,6 +59,21 @@ void check_count_of_directions(const Scene& scene, const RunOptions& options) {
         scene.place, "--lyapunov, --megno and --sali take one or two directions");
 }
 
+/// Throws InputError where sums stay loops.
+FindMotion motion_of_scaled_time(const Scene& scene, const SceneStepper& stepper,
+                                 std::string_view what) {
+    if (!stepper.system.is_written_out())
+        throw InputError(fmt::format("{} is not built for a scale of the time where sums stay "
+                                     "loops",
+                                     what),
+                         scene.scale->place,
+                         "--unroll yes writes the sums out, up to 256 degrees of freedom");
+    if (!stepper.system.own_headers.empty())
+        throw InputError(fmt::format("{} is not built for functions of your own", what),
+                         whole(scene.function.source));
+    return driven_motion(stepper.system, with_time_scale(unrolled(scene)));
+}
+
 /// Throws InputError where the scene has no such parameter that is a number of a program.
 void check_parameter(const Scene& scene, const SceneStepper& stepper, const std::string& name,
                      const Place& place) {
@@ -102,11 +119,6 @@ private:
     Bar bar_;
     Pace pace_;
 };
-
-/// The size of the step that led to the event at which the run ended; 0 where it ended at a step.
-double rest_of(const Simulation& run, double h) {
-    return run.stopped_by ? run.t - static_cast<double>(run.steps) * h : 0;
-}
 
 const DrivenEvent& event_named(const std::string& name, const EventWishes& events) {
     return *std::find_if(events.events.begin(), events.events.end(),
@@ -195,6 +207,8 @@ Monitors wished_monitors(const MethodAndScene& both, const SceneStepper& stepper
         const std::string_view what = wish_for_directions(options);
         check_steps(both.scene, what);
         check_count_of_directions(both.scene, options);
+        if (both.scene.scale)
+            result.tangents.motion = motion_of_scaled_time(both.scene, stepper, what);
         result.tangent = tangent_stepper(both.method, both.scene, wishes, what);
     }
     if (options.sensitivity)
@@ -226,11 +240,11 @@ void begin(const Monitors& monitors, Runner& runner) {
 MonitorFindings measured(const Monitors& monitors, const Simulation& run, const EventWishes& events,
                          double h, Runner& runner) {
     MonitorFindings found;
-    if (monitors.tangent && (run.steps > 0 || run.stopped_by)) {
+    if (monitors.tangent && (run.steps > 0 || run.rest != 0 || run.stopped_by)) {
         TangentWishes wishes = monitors.tangents;
         wishes.h = h;
         wishes.steps = run.steps;
-        wishes.rest = rest_of(run, h);
+        wishes.rest = run.rest;
         wishes.t = run.t;
         if (run.stopped_by && wishes.matrix) {
             wishes.crossing = event_named(*run.stopped_by, events).crossing;
@@ -245,7 +259,7 @@ MonitorFindings measured(const Monitors& monitors, const Simulation& run, const 
         Shown shown(run, "steps with derivatives by a parameter");
         found.sensitivities.push_back(
             find_tangents(runner.target(each.stepper),
-                          {.h = h, .steps = run.steps, .rest = rest_of(run, h), .own = true},
+                          {.h = h, .steps = run.steps, .rest = run.rest, .own = true},
                           [&](double part) { shown(part); }));
     }
     if (monitors.shadow && run.steps >= ShadowWishes::fewest_steps()) {

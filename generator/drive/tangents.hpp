@@ -20,14 +20,15 @@ struct TangentWishes {
     bool sali = false;           ///< the smaller alignment index
     bool own = false;            ///< the direction that begins as the states of the problem do
     double t = 0;                ///< at the end
+    FindMotion motion = {};      ///< of scaled time; nothing where time is not scaled
     FindCrossing crossing = {};  ///< of the event there, for its derivative beside the matrix
 
     [[nodiscard]] bool any() const { return matrix || largest || spectrum || sali || own; }
 };
 
 /// Takes the steps of DrivenProblem, whose states are those of with_tangent(), and says what was
-/// measured. Norms are of numbers as they stand in q and p, whatever their units. The status of its
-/// end is 0 also where a step failed.
+/// measured. Of scaled time directions are those at one time. Norms are of numbers as they stand in
+/// q and p, whatever their units. The status of its end is 0 also where a step failed.
 [[nodiscard]] int take_tangents(const TangentWishes& wishes);
 
 }  // namespace hvi::gen

@@ -189,6 +189,22 @@ std::vector<DrivenEvent> driven_events(const System& system, const WrittenOutSce
     return driven(events, row);
 }
 
+FindMotion driven_motion(const System& system, const WrittenOutScene& scene) {
+    const DrivenSystem of_modules = driven_system(system);
+    const LoweredEvents lowered = lowered_events(of_modules.system, scene);
+    const auto row = std::make_shared<EventRow>(lowered);
+    row->set(of_modules.system.parameters, of_modules.numbers);
+    const auto tape = std::make_shared<const Tape>(row->tape(lowered.motion));
+    row->close();
+    return [row, tape](const State& x) {
+        row->run(*tape, x, 0);
+        std::vector<double> result;
+        for (std::size_t k = 0; k < tape->results().size(); ++k)
+            result.push_back(row->result(*tape, k));
+        return result;
+    };
+}
+
 std::vector<DrivenEvent> driven_events(const Scene& scene) {
     if (scene.events.empty()) return {};
     const LoweredEvents events = lowered_events(scene);
