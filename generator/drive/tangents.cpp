@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include <driver/answer.hpp>
@@ -14,6 +15,16 @@
 namespace hvi::gen {
 
 namespace {
+
+/// Numbers of a direction: a scaled time and its momentum are none of them.
+std::size_t numbers_of(const TangentWishes& wishes) {
+    return 2 * (degrees_of_problem() - (wishes.motion ? 1 : 0));
+}
+
+/// The time after steps: their number times h, or the scaled time.
+double time_of(const Directions& directions, const TangentWishes& wishes, std::int64_t steps) {
+    return wishes.motion ? directions.state().q.back() : wishes.h * static_cast<double>(steps);
+}
 
 /// A direction in which no component is small: there is some of each mode in it.
 DirectionVector usual_direction(std::size_t numbers, double seed) {
@@ -54,20 +65,23 @@ bool take(Directions& directions, const TangentWishes& wishes, ProgressOfSteps p
 /// The growth of one direction: ln |v| at each step, and MEGNO, in the form of a sum over steps
 /// (P. M. Cincotta, C. M. Giordano & C. Simo, Physica D 182, 2003, 151-178):
 ///
-///     Y_n = (2/n) sum_k k ln(|v_k|/|v_k-1|), and its mean over the steps.
+///     Y_n = (2/n) sum_k k ln(|v_k|/|v_k-1|), and its mean over the steps,
+///
+/// or with times t_k in the place of k.
 class Growth {
 public:
     explicit Growth(Directions& directions) : directions_(directions) {}
 
-    void see(std::int64_t step) {
+    /// Looks at a time, which may be counted in steps.
+    void see(double time) {
         const double norm = norm_of(directions_.direction(0));
         const double by = std::log(norm / before_);
         before_ = norm;
         sum_ += by;
-        weighted_ += static_cast<double>(step) * by;
-        const auto n = static_cast<double>(step);
-        of_megno_ += 2 * weighted_ / n;
-        mean_ = of_megno_ / n;
+        weighted_ += time * by;
+        of_megno_ += 2 * weighted_ / time * (time - time_);
+        mean_ = of_megno_ / time;
+        time_ = time;
         if (norm > 0x1p200 || norm < 0x1p-200) rescale(norm);
     }
 
@@ -85,16 +99,19 @@ private:
     }
 
     Directions& directions_;
-    double before_ = 1, sum_ = 0, weighted_ = 0, of_megno_ = 0, mean_ = 0;
+    double before_ = 1, sum_ = 0, weighted_ = 0, of_megno_ = 0, mean_ = 0, time_ = 0;
 };
 
 bool tell_largest(const TangentWishes& wishes, ProgressOfSteps progress) {
     constexpr double golden = 0.6180339887498949;
-    Directions directions({usual_direction(2 * degrees_of_problem(), golden)});
+    Directions directions({usual_direction(numbers_of(wishes), golden)}, wishes.motion);
     Growth growth(directions);
-    if (!take(directions, wishes, progress, [&](std::int64_t step) { growth.see(step); }))
-        return false;
-    const double time = wishes.h * static_cast<double>(wishes.steps);
+    double time = 0;
+    const auto see = [&](std::int64_t step) {
+        time = time_of(directions, wishes, step);
+        growth.see(wishes.motion ? time : static_cast<double>(step));
+    };
+    if (!take(directions, wishes, progress, see)) return false;
     driver::say("lyapunov", growth.logarithm() / std::abs(time));
     driver::say("megno", growth.megno());
     return true;
@@ -104,9 +121,10 @@ bool tell_largest(const TangentWishes& wishes, ProgressOfSteps progress) {
 /// al., Meccanica 15, 1980, 9-30).
 bool tell_spectrum(const TangentWishes& wishes, ProgressOfSteps progress) {
     constexpr std::int64_t between = 10;
-    const std::size_t count = 2 * degrees_of_problem();
-    Directions directions(all_units(count));
+    const std::size_t count = numbers_of(wishes);
+    Directions directions(all_units(count), wishes.motion);
     std::vector<double> sums(count);
+    double time = 0;
     const auto see = [&](std::int64_t step) {
         if (step % between != 0 && step != wishes.steps) return;
         std::vector<DirectionVector> all;
@@ -116,9 +134,9 @@ bool tell_spectrum(const TangentWishes& wishes, ProgressOfSteps progress) {
             sums[k] += std::log(norms[k]);
             directions.set(k, all[k]);
         }
+        time = time_of(directions, wishes, step);
     };
     if (!take(directions, wishes, progress, see)) return false;
-    const double time = wishes.h * static_cast<double>(wishes.steps);
     for (const double sum : sums) driver::say("exponent", sum / std::abs(time));
     return true;
 }
@@ -127,11 +145,11 @@ bool tell_spectrum(const TangentWishes& wishes, ProgressOfSteps progress) {
 /// 2001, 10029-10043).
 bool tell_sali(const TangentWishes& wishes, ProgressOfSteps progress) {
     constexpr double golden = 0.6180339887498949, silver = 0.4142135623730951;
-    const std::size_t numbers = 2 * degrees_of_problem();
+    const std::size_t numbers = numbers_of(wishes);
     std::vector<DirectionVector> start{usual_direction(numbers, golden),
                                        usual_direction(numbers, silver)};
     for (std::size_t k = 0; k < numbers; k += 2) start[1][k] = -start[1][k];
-    Directions directions(start);
+    Directions directions(start, wishes.motion);
     double index = 0;
     const auto see = [&](std::int64_t) {
         std::vector<DirectionVector> all{directions.direction(0), directions.direction(1)};
@@ -169,20 +187,53 @@ double symplecticity_error(const std::vector<DirectionVector>& columns) {
     return error / (largest * largest);
 }
 
+/// Row by row: the time of the event, then its state.
+void tell_event(const EventDerivative& of) {
+    for (const double entry : of.time) driver::say("event", entry);
+    for (std::size_t row = 0; row < of.time.size(); ++row)
+        for (const DirectionVector& column : of.state) driver::say("event", column[row]);
+}
+
+/// The derivative of an event: of scaled time that of the time is a row of the state's.
+std::optional<EventDerivative> derivative_of(const EventCrossing& crossing,
+                                             const Directions& directions,
+                                             const TangentWishes& wishes) {
+    std::vector<DirectionVector> carried;
+    for (std::size_t k = 0; k < directions.count(); ++k) carried.push_back(directions.carried(k));
+    std::optional<EventDerivative> result = event_derivative(crossing, carried);
+    if (!result || !wishes.motion) return result;
+    for (std::size_t k = 0; k < result->state.size(); ++k) {
+        DirectionVector& column = result->state[k];
+        result->time[k] = column[column.size() / 2 - 1];
+        column = DirectionsAtOneTime::seen(column);
+    }
+    return result;
+}
+
+/// Whether the surface of an event does not depend on the time.
+bool stays(const EventCrossing& crossing, const TangentWishes& wishes) {
+    const std::vector<double>& by = crossing.by_state;
+    return crossing.by_time == 0 && (!wishes.motion || by[by.size() / 2 - 1] == 0);
+}
+
 bool tell_matrix(const TangentWishes& wishes, ProgressOfSteps progress) {
-    const std::size_t count = 2 * degrees_of_problem();
-    Directions directions(all_units(count));
+    const std::size_t count = numbers_of(wishes);
+    Directions directions(all_units(count), wishes.motion);
     if (!take(directions, wishes, progress, [](std::int64_t) {})) return false;
     std::vector<DirectionVector> columns;
     for (std::size_t k = 0; k < count; ++k) columns.push_back(directions.direction(k));
     for (std::size_t row = 0; row < count; ++row)
         for (const DirectionVector& column : columns) driver::say("entry", column[row]);
     driver::say("form", symplecticity_error(columns));
+    if (!wishes.crossing) return true;
+    const EventCrossing crossing = wishes.crossing(directions.state(), wishes.t);
+    if (const auto of = derivative_of(crossing, directions, wishes)) tell_event(*of);
+    if (stays(crossing, wishes)) driver::say("surface", "stays");
     return true;
 }
 
 bool tell_own(const TangentWishes& wishes, ProgressOfSteps progress) {
-    Directions directions({direction_of(DrivenProblem::initial())});
+    Directions directions({direction_of(DrivenProblem::initial())}, {});
     if (!take(directions, wishes, progress, [](std::int64_t) {})) return false;
     for (const double component : directions.direction(0)) driver::say("component", component);
     return true;

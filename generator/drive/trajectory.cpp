@@ -333,6 +333,7 @@ private:
     void tell() const {
         tell_end();
         driver::say("t", run_.t);
+        driver::say("rest", run_.rest);
         driver::say("steps", taken());
         driver::say("rows", tables_.front().count());
         driver::say("iterations", run_.run.iterations);

@@ -22,7 +22,13 @@ struct TangentFindings {
     double form = 0;                ///< how far it is from symplectic
     /// Eigenvalues of the derivative, the largest first: the multipliers of an orbit that closes.
     std::vector<std::complex<double>> multipliers = {};
-    std::string fault = {};         ///< why a step failed; empty where none did
+    /// Of an event at the end, where the motion crosses its surface: the derivative of its time,
+    /// and then of its state, row by row, by the start.
+    std::vector<double> event = {};
+    /// Multipliers of the return map to the surface of the event, the largest first, where that
+    /// does not move: eigenvalues of the derivative of its state but for one, which is 0.
+    std::vector<std::complex<double>> return_multipliers = {};
+    std::string fault = {};  ///< why a step failed; empty where none did
 };
 
 /// Throws as ask() does. Precondition: the target has a stepper of tangent_stepper().
