@@ -320,7 +320,7 @@ void run(const RunOptions& options) {
         files.keep_tangent(found.directions.entries);
         files.keep_sensitivities(
             table_of_sensitivities(wished.monitors, found, column_names(subject)));
-        files.keep_section_map(table_of_event(found, column_names(subject)));
+        files.keep_section_map(section_table(found.directions, column_names(subject)));
         files.keep_frequencies(simulation.frequencies);
     }
     files.keep(subject, steps, simulation, tables, options.files, summary);

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <complex>
 #include <string_view>
 
@@ -59,7 +58,8 @@ void check_count_of_directions(const Scene& scene, const RunOptions& options) {
         scene.place, "--lyapunov, --megno and --sali take one or two directions");
 }
 
-/// Throws InputError where sums stay loops.
+/// Throws InputError where sums stay loops. Precondition: the scene calls no function of the
+/// user's.
 FindMotion motion_of_scaled_time(const Scene& scene, const SceneStepper& stepper,
                                  std::string_view what) {
     if (!stepper.system.is_written_out())
@@ -68,9 +68,6 @@ FindMotion motion_of_scaled_time(const Scene& scene, const SceneStepper& stepper
                                      what),
                          scene.scale->place,
                          "--unroll yes writes the sums out, up to 256 degrees of freedom");
-    if (!stepper.system.own_headers.empty())
-        throw InputError(fmt::format("{} is not built for functions of your own", what),
-                         whole(scene.function.source));
     return driven_motion(stepper.system, with_time_scale(unrolled(scene)));
 }
 
@@ -159,21 +156,22 @@ void add_directions(const TangentFindings& found, Lines& lines) {
 /// the matrix is there.
 void add_event(const MonitorFindings& found, Lines& lines) {
     const TangentFindings& directions = found.directions;
-    if (found.event.empty() || !directions.fault.empty()) return;
-    if (!found.has_crossing) {
+    if (!found.event || !directions.fault.empty()) return;
+    const std::string& name = found.event->name;
+    if (!found.event->crossing) {
         lines.emplace_back("section", "its derivatives are not built for a Lagrangian and where "
                                       "sums stay loops");
         return;
     }
-    if (directions.event.empty()) {
+    if (directions.event_time.empty()) {
         lines.emplace_back("section", fmt::format("the motion touches `{}`: its time has no "
                                                   "derivative by the start",
-                                                  found.event));
+                                                  name));
         return;
     }
     lines.emplace_back("section", fmt::format("derivatives of the time and the state of `{}` by "
                                               "the start are in section.csv",
-                                              found.event));
+                                              name));
     if (!directions.return_multipliers.empty())
         lines.emplace_back("return map", text_of(directions.return_multipliers));
 }
@@ -207,9 +205,9 @@ Monitors wished_monitors(const MethodAndScene& both, const SceneStepper& stepper
         const std::string_view what = wish_for_directions(options);
         check_steps(both.scene, what);
         check_count_of_directions(both.scene, options);
+        result.tangent = tangent_stepper(both.method, both.scene, wishes, what);
         if (both.scene.scale)
             result.tangents.motion = motion_of_scaled_time(both.scene, stepper, what);
-        result.tangent = tangent_stepper(both.method, both.scene, wishes, what);
     }
     if (options.sensitivity)
         result.sensitivities = sensitivities_of(both, stepper, wishes, options.sensitivity);
@@ -247,9 +245,8 @@ MonitorFindings measured(const Monitors& monitors, const Simulation& run, const 
         wishes.rest = run.rest;
         wishes.t = run.t;
         if (run.stopped_by && wishes.matrix) {
-            wishes.crossing = event_named(*run.stopped_by, events).crossing;
-            found.event = *run.stopped_by;
-            found.has_crossing = bool(wishes.crossing);
+            found.event = event_named(*run.stopped_by, events);
+            wishes.crossing = found.event->crossing;
         }
         Shown shown(run, "steps with directions");
         found.directions = find_tangents(runner.target(*monitors.tangent), wishes,
@@ -289,18 +286,18 @@ std::string table_of_sensitivities(const Monitors& monitors, const MonitorFindin
     return text + "\n";
 }
 
-std::string table_of_event(const MonitorFindings& found, const std::vector<NameBox>& names) {
-    const std::vector<double>& entries = found.directions.event;
-    if (entries.empty()) return "";
-    const auto count = static_cast<std::size_t>(std::lround(std::sqrt(entries.size())));
+std::string section_table(const TangentFindings& found, const std::vector<NameBox>& names) {
+    const std::size_t count = found.event_time.size();
+    if (count == 0) return "";
     std::string text = "of";
     for (std::size_t k = 0; k < count; ++k) text += "," + text_of_cell(name_at(names, k));
-    for (std::size_t row = 0; row <= count; ++row) {
-        text += "\n" + (row == 0 ? "t" : text_of_cell(name_at(names, row - 1)));
-        for (std::size_t k = 0; k < count; ++k)
-            text += fmt::format(",{}", entries[row * count + k]);
+    text += fmt::format("\nt,{}\n", fmt::join(found.event_time, ","));
+    for (std::size_t row = 0; row < count; ++row) {
+        const auto begin = found.event_state.begin() + static_cast<std::ptrdiff_t>(row * count);
+        text += fmt::format("{},{}\n", text_of_cell(name_at(names, row)),
+                            fmt::join(begin, begin + static_cast<std::ptrdiff_t>(count), ","));
     }
-    return text + "\n";
+    return text;
 }
 
 Lines lines_of(const Monitors& monitors, const MonitorFindings& found) {

@@ -43,8 +43,7 @@ struct MonitorFindings {
     std::vector<TangentFindings> sensitivities = {};  ///< of each parameter
     std::optional<ShadowFindings> shadow = {};        ///< nothing where there were too few steps
     std::optional<BalanceFindings> balance = {};
-    std::string event = {};     ///< that ended the run, where the matrix was measured
-    bool has_crossing = false;  ///< whether it has derivatives
+    std::optional<DrivenEvent> event = {};  ///< that ended the run, where there is the matrix
 
     /// Why one of them has not come to the end of the run; empty where all have.
     [[nodiscard]] std::string fault() const;
@@ -58,9 +57,9 @@ void begin(const Monitors& monitors, Runner& runner);
                                        const EventWishes& events, double h, Runner& runner);
 
 /// The table of derivatives of the event that ended the run, its time and its state, by the start,
-/// whose variables have names in these boxes; empty where there is none.
-[[nodiscard]] std::string table_of_event(const MonitorFindings& found,
-                                         const std::vector<NameBox>& names);
+/// whose variables have names in these boxes; empty where there are none.
+[[nodiscard]] std::string section_table(const TangentFindings& found,
+                                        const std::vector<NameBox>& names);
 
 /// The table of derivatives of the end by parameters, with names in these boxes, of which variables
 /// are the first; empty where none were wished for.

@@ -30,7 +30,7 @@ DirectionVector DirectionsAtOneTime::without_time(const DirectionVector& v) cons
     const double part = v[n_ - 1] / motion_[n_ - 1];
     DirectionVector result = v;
     for (std::size_t k = 0; k < result.size(); ++k) result[k] -= motion_[k] * part;
-    return seen(result);
+    return of_q_and_p(result);
 }
 
 /// NOTE: the motion is g (dH/dp, 1, -dH/dq, -dH/dt), where g is how fast the time goes.
@@ -45,7 +45,7 @@ DirectionVector DirectionsAtOneTime::with_time(const DirectionVector& v) const {
     return result;
 }
 
-DirectionVector DirectionsAtOneTime::seen(const DirectionVector& v) {
+DirectionVector DirectionsAtOneTime::of_q_and_p(const DirectionVector& v) {
     DirectionVector result = v;
     result.erase(result.begin() + static_cast<std::ptrdiff_t>(v.size() / 2 - 1));
     result.pop_back();
@@ -54,11 +54,11 @@ DirectionVector DirectionsAtOneTime::seen(const DirectionVector& v) {
 
 Directions::Directions(const std::vector<DirectionVector>& start, FindMotion motion)
     : motion_(std::move(motion)) {
-    for (const DirectionVector& v : start) {
+    for (std::size_t k = 0; k < start.size(); ++k) {
         steppers_.push_back(DrivenProblem::stepper());
         states_.push_back(steppers_.back().initial());
-        set(states_.size() - 1, v);
     }
+    set(start);
 }
 
 Status Directions::step(double h) {
@@ -82,17 +82,32 @@ DirectionVector direction_of(const DrivenStepper::State& x) {
     return v;
 }
 
-DirectionVector Directions::direction(std::size_t k) const {
-    if (!motion_) return carried(k);
-    return DirectionsAtOneTime(motion_(state())).without_time(carried(k));
+std::vector<DirectionVector> Directions::carried() const {
+    std::vector<DirectionVector> result;
+    for (const DrivenStepper::State& x : states_) result.push_back(direction_of(x));
+    return result;
 }
 
-void Directions::set(std::size_t k, const DirectionVector& v) {
-    const DirectionVector whole = motion_ ? DirectionsAtOneTime(motion_(state())).with_time(v) : v;
+std::vector<DirectionVector> Directions::all() const {
+    std::vector<DirectionVector> result = carried();
+    if (!motion_) return result;
+    const DirectionsAtOneTime at_one_time(motion_(state()));
+    for (DirectionVector& v : result) v = at_one_time.without_time(v);
+    return result;
+}
+
+void Directions::set(const std::vector<DirectionVector>& all) {
+    std::vector<DirectionVector> whole = all;
+    if (motion_) {
+        const DirectionsAtOneTime at_one_time(motion_(state()));
+        for (DirectionVector& v : whole) v = at_one_time.with_time(v);
+    }
     const auto n = static_cast<std::ptrdiff_t>(degrees());
-    DrivenStepper::State& x = states_[k];
-    std::copy(whole.begin(), whole.begin() + n, x.q.begin() + n);
-    std::copy(whole.begin() + n, whole.end(), x.p.begin());
+    for (std::size_t k = 0; k < whole.size(); ++k) {
+        DrivenStepper::State& x = states_[k];
+        std::copy(whole[k].begin(), whole[k].begin() + n, x.q.begin() + n);
+        std::copy(whole[k].begin() + n, whole[k].end(), x.p.begin());
+    }
 }
 
 DrivenStepper::State Directions::state() const {

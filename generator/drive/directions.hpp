@@ -32,15 +32,15 @@ using FindMotion = std::function<std::vector<double>(const DrivenStepper::State&
 /// and without its part e that of H. As H + e stays 0, such a direction of H has de = -dH.
 class DirectionsAtOneTime {
 public:
-    /// Of a state with this motion.
+    /// Looks at directions of a state that moves so.
     explicit DirectionsAtOneTime(std::vector<double> motion)
         : motion_(std::move(motion)), n_(motion_.size() / 2) {}
 
     [[nodiscard]] DirectionVector without_time(const DirectionVector& v) const;
     [[nodiscard]] DirectionVector with_time(const DirectionVector& v) const;
 
-    /// Numbers of q and p alone.
-    [[nodiscard]] static DirectionVector seen(const DirectionVector& v);
+    /// Leaves out the parts along the time and e.
+    [[nodiscard]] static DirectionVector of_q_and_p(const DirectionVector& v);
 
 private:
     std::vector<double> motion_;
@@ -59,12 +59,12 @@ public:
     /// Takes a step with all. Unless the status is ok, they are not to be used any more.
     [[nodiscard]] Status step(double h);
 
-    [[nodiscard]] std::size_t count() const { return states_.size(); }
-    [[nodiscard]] DirectionVector direction(std::size_t k) const;
-    void set(std::size_t k, const DirectionVector& v);
+    [[nodiscard]] std::vector<DirectionVector> all() const;
+    /// Replaces all of them. Precondition: there are as many.
+    void set(const std::vector<DirectionVector>& all);
 
-    /// A direction as the steps carry it along, with its parts along time and e, where there are.
-    [[nodiscard]] DirectionVector carried(std::size_t k) const { return direction_of(states_[k]); }
+    /// Directions as the steps carry them along, with parts along time and e, where there are.
+    [[nodiscard]] std::vector<DirectionVector> carried() const;
 
     /// The state that all go along.
     [[nodiscard]] DrivenStepper::State state() const;

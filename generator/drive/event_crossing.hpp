@@ -29,7 +29,8 @@ struct EventDerivative {
     std::vector<DirectionVector> state;  ///< of its state, a column for each of these
 };
 
-/// Of the columns D of the derivative of the state at the time of the event, which g defines:
+/// Moves the event with the start, where g is its `zero`, f the motion, and D the derivative of the
+/// state at the time of the event, whose columns these are:
 ///
 ///     dt = -(grad g D)/(grad g f + dg/dt), and the state moves by D + f dt.
 ///

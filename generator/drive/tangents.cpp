@@ -74,7 +74,7 @@ public:
 
     /// Looks at a time, which may be counted in steps.
     void see(double time) {
-        const double norm = norm_of(directions_.direction(0));
+        const double norm = norm_of(directions_.all().front());
         const double by = std::log(norm / before_);
         before_ = norm;
         sum_ += by;
@@ -91,10 +91,10 @@ public:
 private:
     /// By a power of two, so that nothing is rounded.
     void rescale(double norm) {
-        DirectionVector v = directions_.direction(0);
+        std::vector<DirectionVector> all = directions_.all();
         const int exponent = std::ilogb(norm);
-        for (double& value : v) value = std::scalbn(value, -exponent);
-        directions_.set(0, v);
+        for (double& value : all.front()) value = std::scalbn(value, -exponent);
+        directions_.set(all);
         before_ = std::scalbn(norm, -exponent);
     }
 
@@ -127,13 +127,10 @@ bool tell_spectrum(const TangentWishes& wishes, ProgressOfSteps progress) {
     double time = 0;
     const auto see = [&](std::int64_t step) {
         if (step % between != 0 && step != wishes.steps) return;
-        std::vector<DirectionVector> all;
-        for (std::size_t k = 0; k < count; ++k) all.push_back(directions.direction(k));
+        std::vector<DirectionVector> all = directions.all();
         const std::vector<double> norms = orthonormalize(all);
-        for (std::size_t k = 0; k < count; ++k) {
-            sums[k] += std::log(norms[k]);
-            directions.set(k, all[k]);
-        }
+        for (std::size_t k = 0; k < count; ++k) sums[k] += std::log(norms[k]);
+        directions.set(all);
         time = time_of(directions, wishes, step);
     };
     if (!take(directions, wishes, progress, see)) return false;
@@ -152,7 +149,7 @@ bool tell_sali(const TangentWishes& wishes, ProgressOfSteps progress) {
     Directions directions(start, wishes.motion);
     double index = 0;
     const auto see = [&](std::int64_t) {
-        std::vector<DirectionVector> all{directions.direction(0), directions.direction(1)};
+        std::vector<DirectionVector> all = directions.all();
         for (DirectionVector& v : all) {
             const double norm = norm_of(v);
             for (double& value : v) value /= norm;
@@ -163,8 +160,7 @@ bool tell_sali(const TangentWishes& wishes, ProgressOfSteps progress) {
             difference[k] -= all[1][k];
         }
         index = std::min(norm_of(sum), norm_of(difference));
-        directions.set(0, all[0]);
-        directions.set(1, all[1]);
+        directions.set(all);
     };
     if (!take(directions, wishes, progress, see)) return false;
     driver::say("sali", index);
@@ -187,43 +183,43 @@ double symplecticity_error(const std::vector<DirectionVector>& columns) {
     return error / (largest * largest);
 }
 
-/// Row by row: the time of the event, then its state.
-void tell_event(const EventDerivative& of) {
-    for (const double entry : of.time) driver::say("event", entry);
-    for (std::size_t row = 0; row < of.time.size(); ++row)
-        for (const DirectionVector& column : of.state) driver::say("event", column[row]);
+/// Tells a square matrix row by row.
+void tell_rows(const char* name, const std::vector<DirectionVector>& columns) {
+    for (std::size_t row = 0; row < columns.size(); ++row)
+        for (const DirectionVector& column : columns) driver::say(name, column[row]);
 }
 
-/// The derivative of an event: of scaled time that of the time is a row of the state's.
+/// Tells the derivatives of the time of an event, and row by row those of its state.
+void tell_event(const EventDerivative& of) {
+    for (const double entry : of.time) driver::say("event_time", entry);
+    tell_rows("event_state", of.state);
+}
+
+/// The derivative of an event; in scaled time that of its time is a row of that of its state.
 std::optional<EventDerivative> derivative_of(const EventCrossing& crossing,
                                              const Directions& directions,
                                              const TangentWishes& wishes) {
-    std::vector<DirectionVector> carried;
-    for (std::size_t k = 0; k < directions.count(); ++k) carried.push_back(directions.carried(k));
-    std::optional<EventDerivative> result = event_derivative(crossing, carried);
+    std::optional<EventDerivative> result = event_derivative(crossing, directions.carried());
     if (!result || !wishes.motion) return result;
     for (std::size_t k = 0; k < result->state.size(); ++k) {
         DirectionVector& column = result->state[k];
         result->time[k] = column[column.size() / 2 - 1];
-        column = DirectionsAtOneTime::seen(column);
+        column = DirectionsAtOneTime::of_q_and_p(column);
     }
     return result;
 }
 
-/// Whether the surface of an event does not depend on the time.
+/// Whether the surface of an event stays where it is as time goes on.
 bool stays(const EventCrossing& crossing, const TangentWishes& wishes) {
     const std::vector<double>& by = crossing.by_state;
     return crossing.by_time == 0 && (!wishes.motion || by[by.size() / 2 - 1] == 0);
 }
 
 bool tell_matrix(const TangentWishes& wishes, ProgressOfSteps progress) {
-    const std::size_t count = numbers_of(wishes);
-    Directions directions(all_units(count), wishes.motion);
+    Directions directions(all_units(numbers_of(wishes)), wishes.motion);
     if (!take(directions, wishes, progress, [](std::int64_t) {})) return false;
-    std::vector<DirectionVector> columns;
-    for (std::size_t k = 0; k < count; ++k) columns.push_back(directions.direction(k));
-    for (std::size_t row = 0; row < count; ++row)
-        for (const DirectionVector& column : columns) driver::say("entry", column[row]);
+    const std::vector<DirectionVector> columns = directions.all();
+    tell_rows("entry", columns);
     driver::say("form", symplecticity_error(columns));
     if (!wishes.crossing) return true;
     const EventCrossing crossing = wishes.crossing(directions.state(), wishes.t);
@@ -235,7 +231,8 @@ bool tell_matrix(const TangentWishes& wishes, ProgressOfSteps progress) {
 bool tell_own(const TangentWishes& wishes, ProgressOfSteps progress) {
     Directions directions({direction_of(DrivenProblem::initial())}, {});
     if (!take(directions, wishes, progress, [](std::int64_t) {})) return false;
-    for (const double component : directions.direction(0)) driver::say("component", component);
+    const DirectionVector own = directions.all().front();
+    for (const double component : own) driver::say("component", component);
     return true;
 }
 

@@ -119,8 +119,13 @@ private:
     void differentiate(LoweredEvent& event) {
         if (result_.motion.empty()) { return; }
         Graph& graph = result_.graph;
-        event.by_variables = gradient(graph, event.zero, nodes_);
-        if (result_.time) { event.by_time = gradient(graph, event.zero, {*result_.time}).front(); }
+        std::vector<Node> inputs = nodes_;
+        if (result_.time) { inputs.push_back(*result_.time); }
+        event.by_variables = gradient(graph, event.zero, inputs);
+        if (result_.time) {
+            event.by_time = event.by_variables.back();
+            event.by_variables.pop_back();
+        }
         std::vector<Scaled> terms;
         for (std::size_t k = 0; k < nodes_.size(); ++k) {
             terms.push_back(graph.product(event.by_variables[k], result_.motion[k]));

@@ -14,7 +14,7 @@ namespace hvi::gen {
 /// dv. A step of a symplectic partitioned Runge-Kutta method for K is the step for H and, of
 /// directions, exactly its derivative, since these methods commute with differentiation. Directions
 /// begin at 0, and the energy is H. Where sums stay loops those of K are sums over the same loops.
-/// Of scaled time the direction has a part along the time, and one along its momentum.
+/// In scaled time a direction has a part along the time, and one along its momentum.
 /// Precondition: there are no rotations.
 [[nodiscard]] System with_tangent(System system);
 

@@ -34,11 +34,10 @@ std::vector<std::complex<double>> eigenvalues(const std::vector<double>& entries
 /// NOTE: no state of the event leaves its surface, so that one eigenvalue is 0: it belongs to
 /// directions that leave the surface at the start.
 void add_event(const Answers& answers, TangentFindings& found) {
-    found.event = answers.numbers("event");
-    if (found.event.empty() || !answers.has("surface")) return;
-    const std::size_t count = found.entries.size();
-    const auto behind_time = found.event.end() - static_cast<std::ptrdiff_t>(count);
-    found.return_multipliers = eigenvalues({behind_time, found.event.end()});
+    found.event_time = answers.numbers("event_time");
+    found.event_state = answers.numbers("event_state");
+    if (found.event_time.empty() || !answers.has("surface")) return;
+    found.return_multipliers = eigenvalues(found.event_state);
     if (!found.return_multipliers.empty()) found.return_multipliers.pop_back();
 }
 

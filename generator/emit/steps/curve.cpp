@@ -29,13 +29,13 @@ NumberMatrix without_weights(NumberMatrix F, const std::vector<StageValue>& valu
     return F;
 }
 
-/// Of Lq_j = h b_j dH/dp(Q_j, P_j): F_jk/b_j.
+/// Slopes of Lq_j = h b_j dH/dp(Q_j, P_j): F_jk/b_j.
 NumberMatrix of_velocities(const Step& step, const Curve& curve) {
     return without_weights(of_stages(step.momenta, curve), step.momenta);
 }
 
-/// Of Lp_i = -h b_i dH/dq(Q_i, P_i): F_ik/b_i. NOTE: where there are more nodes than functions F
-/// has a row for each of those that have a weight, as positions are.
+/// Slopes of Lp_i = -h b_i dH/dq(Q_i, P_i): F_ik/b_i. NOTE: with more nodes than functions F has a
+/// row for each node that has a weight, as there is a position for each.
 NumberMatrix of_kicks(const Step& step, const Curve& curve) {
     const bool is_general =
         curve.of_forces.has_value() || std::holds_alternative<GalerkinStep>(step.form);
