@@ -119,6 +119,7 @@ class Library:
     def _values(self, parameters: Mapping[str, Any]) -> np.ndarray:
         description = self.description
         known = (*description.numbers, *description.lists)
+        parameters = _written_out(parameters, description.numbers)
         for name in parameters:
             if name not in known:
                 raise TypeError(f"{description.scene} has no parameter {name!r}; it has "
@@ -131,3 +132,18 @@ class Library:
             raise TypeError("lists are given all or none: " + ", ".join(description.lists))
         lists = [np.asarray(parameters[name], dtype=float).ravel() for name in given]
         return np.concatenate([np.asarray(numbers, dtype=float), *lists])
+
+
+def _written_out(parameters: Mapping[str, Any], numbers: Mapping[str, float]) -> dict[str, Any]:
+    """Values of a list `k` as `k[1]`, `k[2]`, ... where these are parameters of the stepper."""
+    result: dict[str, Any] = {}
+    for name, value in parameters.items():
+        items = [each for each in numbers if each.startswith(f"{name}[")]
+        if not items or name in numbers:
+            result[name] = value
+            continue
+        values = np.asarray(value, dtype=float).ravel()
+        if len(values) != len(items):
+            raise ValueError(f"{name} has {len(items)} values, and not {len(values)}")
+        result.update(zip(items, values.tolist()))
+    return result

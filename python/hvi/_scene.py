@@ -2,12 +2,13 @@
 # SPDX-License-Identifier: MIT
 from __future__ import annotations
 
+import atexit
 import functools
-import importlib.util
 import os
 import re
-import sys
+import shutil
 import tempfile
+import types
 from pathlib import Path
 from typing import Any, Mapping, Sequence
 
@@ -24,6 +25,9 @@ from ._tableau import _method_options, check
 _refusal_of_rtol = (
     "rtol and atol would adapt the step to an error, and so lose what a symplectic method keeps; "
     "accuracy=1e-8 looks for a method and a fixed step with that error at the end")
+
+
+_usual_method = "gauss:4"
 
 
 class SceneStepper(Stepper):
@@ -62,13 +66,15 @@ class Scene:
 
     def __init__(self, source: os.PathLike[str] | str | None = None, *,
                  coordinates: Sequence[str] | None = None, momenta: Sequence[str] | None = None,
-                 hamiltonian: Any = None, lagrangian: Any = None,
+                 velocities: Sequence[str] | None = None, hamiltonian: Any = None,
+                 lagrangian: Any = None,
                  parameters: Mapping[str, Any] | None = None,
                  initial: Mapping[str, Any] | None = None,
                  invariants: Mapping[str, Any] | None = None, method: Any = None,
                  step: Any = None, until: Any = None, name: str = "scene"):
-        has_parts = any(part is not None for part in (coordinates, momenta, hamiltonian,
-                                                      lagrangian, parameters, initial, invariants))
+        has_parts = any(part is not None for part in (
+            coordinates, momenta, velocities, hamiltonian, lagrangian, parameters, initial,
+            invariants))
         if (source is None) == (not has_parts):
             raise TypeError("a scene has a name or a file, or coordinates and a hamiltonian or "
                             "lagrangian")
@@ -83,13 +89,16 @@ class Scene:
             return
         if coordinates is None or (hamiltonian is None) == (lagrangian is None):
             raise TypeError("a scene has coordinates, and one of hamiltonian and lagrangian")
+        if (momenta if lagrangian is not None else velocities) is not None:
+            raise TypeError("a hamiltonian has momenta, and a lagrangian velocities")
         self.name = name
-        names = ["p_" + q if len(coordinates) > 1 else "p" for q in coordinates]
+        of_hamiltonian = hamiltonian is not None
         self._text = _scene_text(
             {"name": name, "coordinates": list(coordinates),
-             **({"momenta": list(momenta or names)} if hamiltonian is not None else {}),
-             **({"hamiltonian": hamiltonian} if hamiltonian is not None
-                else {"lagrangian": lagrangian})},
+             **({"momenta": list(momenta or _conjugates("p", coordinates)),
+                 "hamiltonian": hamiltonian} if of_hamiltonian else
+                {"velocities": list(velocities or _conjugates("v", coordinates)),
+                 "lagrangian": lagrangian})},
             {"parameters": parameters, "invariants": invariants, "initial": initial,
              "run": {key: value for key, value in (("step", step), ("until", until))
                      if value is not None}})
@@ -115,11 +124,19 @@ class Scene:
         """A compiled stepper: its `step(x, h)` and `integrate()` call C.
 
         `method` is a name (`"gauss:4"`, with a composition `"stormer-verlet+kahan-li:8"`) or a
-        dictionary with `basis`, `nodes` and perhaps `weights`; without it that of the scene.
+        dictionary with `basis`, `nodes` and perhaps `weights`; without it that of the scene, and
+        where that has none `gauss:4`.
         Keywords are parameters of the scene. Compiling takes seconds once, and is kept. Raises
         InputError, MathError, and OutsideError without a compiler.
         """
-        return SceneStepper(self, method if method is not None else self.method, parameters)
+        return SceneStepper(self, self._method(method), parameters)
+
+    def _method(self, method: Any) -> Any:
+        """The method that is wished for; None where the scene names its own."""
+        if method is not None or self.method is not None:
+            return method if method is not None else self.method
+        names_one = re.search(r"""^\s*["']?method["']?\s*=""", self.text, re.MULTILINE)
+        return None if names_one else _usual_method
 
     def integrate(self, t_span: Sequence[float] | None = None, t_eval: Any = None, *,
                   method: Any = None, step: float | None = None, accuracy: float | None = None,
@@ -139,9 +156,9 @@ class Scene:
         """
         if rtol is not None or atol is not None:
             raise TypeError(_refusal_of_rtol)
-        method = method if method is not None else self.method
         if accuracy is not None and (method is not None or step is not None):
             raise TypeError("accuracy chooses the method and the step")
+        method = self._method(method) if accuracy is None else None
         if tangent or accuracy is not None or self._is_of_runs():
             for name, value in (("events", events), ("initial", initial),
                                 ("dense_output", dense_output or None)):
@@ -182,8 +199,7 @@ class Scene:
         left out is the scene's. A row depends on its own numbers alone, so that its bits are the
         same with any number of threads; a row that fails says so, and ends no other.
         """
-        method = method if method is not None else self.method
-        return ensemble_of(self._library(method), initial, parameters, t_span, step, threads)
+        return ensemble_of(self._library(self._method(method)), initial, parameters, t_span, step, threads)
 
     # ---- what the scene is like ----
 
@@ -196,7 +212,7 @@ class Scene:
         """
         kind = "spectrum" if spectrum else "largest"
         with self.file() as path:
-            result = run(path, self.text, t_span, None, _method_options(method or self.method),
+            result = run(path, self.text, t_span, None, _method_options(self._method(method)),
                          step, None, parameters, False, None, False, [f"--lyapunov={kind}"])
         values = {name: [float(word) for word in re.split(r"[,\s]+", text) if word]
                   for name, text in result.summary.items() if name in ("lyapunov", "megno")}
@@ -211,7 +227,7 @@ class Scene:
 
     def check(self, method: Any = None) -> dict[str, Any]:
         """The certificate of a method, as `hvi.check`; of the scene's without a name."""
-        method = method if method is not None else self.method
+        method = self._method(method)
         return check(method if method is not None else self.stepper().description.method)
 
     # ---- what hvi-gen reads ----
@@ -251,33 +267,32 @@ class _SceneFile:
 
 
 @functools.lru_cache(maxsize=None)
-def _folder_of_modules() -> tempfile.TemporaryDirectory[str]:
+def _folder_of_modules() -> str:
     """A folder for packages, gone at the end of the process. NOTE: hvi-gen keeps what it compiles."""
-    return tempfile.TemporaryDirectory(prefix="hvi-modules-")
+    folder = tempfile.mkdtemp(prefix="hvi-modules-")
+    atexit.register(shutil.rmtree, folder, ignore_errors=True)
+    return folder
 
 
 def _compiled(scene: str, method: Any) -> Library:
     name = f"scene_{len(_libraries)}"
-    folder = _folder_of_modules().name
+    folder = _folder_of_modules()
     _gen.call(["module", *_method_options(method), "--language", "python", "--name", name, "-o",
                folder, scene])
     return _package(Path(folder) / name)._library
 
 
 def _package(folder: Path) -> Any:
-    """The package that hvi-gen has written, imported under a name of its own."""
-    name = f"_hvi_modules_{folder.name}"
-    spec = importlib.util.spec_from_file_location(name, folder / "__init__.py",
-                                                  submodule_search_locations=[str(folder)])
-    assert spec is not None and spec.loader is not None
-    module = importlib.util.module_from_spec(spec)
-    sys.modules[name] = module
-    try:
-        spec.loader.exec_module(module)
-    finally:
-        for loaded in [each for each in sys.modules if each.split(".")[0] == name]:
-            del sys.modules[loaded]
+    """The package that hvi-gen has written, run as a module of this one: it finds `_library` here."""
+    path = folder / "__init__.py"
+    module = types.ModuleType(f"{__package__}.{folder.name}")
+    module.__file__, module.__package__ = str(path), __package__
+    exec(compile(path.read_text(encoding="utf-8"), path, "exec"), module.__dict__)
     return module
+
+
+def _conjugates(letter: str, coordinates: Sequence[str]) -> list[str]:
+    return [letter if len(coordinates) == 1 else f"{letter}_{q}" for q in coordinates]
 
 
 def _state(stepper: Stepper, initial: Any) -> Any:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import sys
 import time
+import warnings
 from ctypes import byref, c_int64, c_size_t, c_void_p
 from typing import Any, Iterable, Mapping, Sequence
 
@@ -209,12 +210,32 @@ class Integration:
             self.bar.close()
         result = self._result(table, watched)
         result.nfev = stepper.evaluations() - evaluations
+        if not any(each.jumps for each in watched):
+            self._warn_of_energy(result)
         if dense:
             has_jumps = any(each.jumps for each in watched)
             if has_jumps:
                 raise ValueError("dense_output does not go with events that set variables")
             result.sol = Curve(stepper, first, self.begin, self.h, result)
         return result
+
+    def _warn_of_energy(self, result: Result) -> None:
+        """Warns where the energy changes by more than a tenth of its scale, as hvi-gen does.
+
+        The scale is the larger of |H| at the start and of the mean size of H(q, p) - H(q, 0).
+        """
+        if self.stepper.description.has_time or len(result.t) == 0:
+            return
+        change = float(np.max(np.abs(result.energy - result.energy[0])))
+        if not change > 0.1 * abs(result.energy[0]):
+            return
+        rows = range(0, len(result.t), max(1, len(result.t) // 100))
+        motion = [result.energy[k] - self.stepper.energy([*result.q[:, k], *0 * result.p[:, k]])
+                  for k in rows]
+        scale = max(abs(result.energy[0]), float(np.mean(np.abs(motion))))
+        if change > 0.1 * scale > 0:
+            warnings.warn(f"the energy changes by {change:.2g}, of a scale of {scale:.2g}: the "
+                          "step is too large", RuntimeWarning, stacklevel=5)
 
     def _watched(self, events: Any) -> list[WatchedEvent]:
         if events is None:
@@ -237,7 +258,7 @@ class Integration:
     def _grid(self, every: int) -> np.ndarray:
         """Times of rows: of each `every` steps, and the end."""
         times = self.begin + self.h * np.arange(0, self.steps + 1, every)
-        return times if self._is_end(times[-1]) else np.append(times, self.end)
+        return np.append(times[:-1] if self._is_end(times[-1]) else times, self.end)
 
     def _is_end(self, t: float) -> bool:
         return abs(self.end - t) <= 1e-9 * abs(self.h)
@@ -312,6 +333,8 @@ class Integration:
             if state is not None and self.end != self.begin:
                 table[filled] = self._row(self.end, state)
                 filled += 1
+        if self._is_end(table[filled - 1, 0]):
+            table[filled - 1, 0] = self.end  # but for rounding it was
         return table[:filled]
 
     def _shortly(self, x: np.ndarray, h: float) -> np.ndarray | None:
@@ -398,7 +421,8 @@ class Integration:
                 self._rows_until(waiting, rows, t, start, t)
                 return
             event, at, there = self._first(watched, t, start, end, x)
-            self._rows_until(waiting, rows, t, start, end if event is None else at)
+            near = 1e-9 * self.h if event is None and is_whole else 0.0
+            self._rows_until(waiting, rows, t, start, end - near if event is None else at)
             if event is None:
                 self.state = x
                 self.done += 1
