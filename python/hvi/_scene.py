@@ -59,7 +59,8 @@ class Scene:
     >>> bool(abs(result.energy - result.energy[0]).max() < 1e-8)
     True
 
-    one of its own. Expressions are text or sympy's. Parameters are numbers and expressions; a
+    one of its own. Momenta without names are `p`, of several coordinates `p_x` or `px`, or `p1` of
+    `q1`, as the Hamiltonian has them. Expressions are text or sympy's. Parameters are numbers and expressions; a
     float stands for the decimal that Python prints, so that 0.1 is 1/10. Text with an error raises
     InputError, with a caret below the place, when it is read: at the first use.
     """
@@ -95,9 +96,9 @@ class Scene:
         of_hamiltonian = hamiltonian is not None
         self._text = _scene_text(
             {"name": name, "coordinates": list(coordinates),
-             **({"momenta": list(momenta or _conjugates("p", coordinates)),
+             **({"momenta": list(momenta or _conjugates("p", coordinates, hamiltonian)),
                  "hamiltonian": hamiltonian} if of_hamiltonian else
-                {"velocities": list(velocities or _conjugates("v", coordinates)),
+                {"velocities": list(velocities or _conjugates("v", coordinates, lagrangian)),
                  "lagrangian": lagrangian})},
             {"parameters": parameters, "invariants": invariants, "initial": initial,
              "run": {key: value for key, value in (("step", step), ("until", until))
@@ -291,8 +292,17 @@ def _package(folder: Path) -> Any:
     return module
 
 
-def _conjugates(letter: str, coordinates: Sequence[str]) -> list[str]:
-    return [letter if len(coordinates) == 1 else f"{letter}_{q}" for q in coordinates]
+def _conjugates(letter: str, coordinates: Sequence[str], function: Any) -> list[str]:
+    """Names of momenta or velocities where nobody gives them: those that the function has.
+
+    Of q they are p, p_q, pq, and of q1 also p1.
+    """
+    words = set(re.findall(r"\w+", _gen.exact_text(function)))
+    several = [[f"{letter}_{q}" for q in coordinates], [f"{letter}{q}" for q in coordinates],
+               [letter + re.sub(r"^\D+", "", q) for q in coordinates]]
+    choices = [[letter]] + several if len(coordinates) == 1 else several
+    fitting = [names for names in choices if words & set(names) and len(set(names)) == len(names)]
+    return (fitting or choices)[0]
 
 
 def _state(stepper: Stepper, initial: Any) -> Any:

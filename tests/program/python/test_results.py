@@ -1,12 +1,16 @@
 # Tables that leave Python, a package without hvi-gen, and the examples in docstrings.
 # SPDX-License-Identifier: MIT
+import contextlib
 import doctest
 import importlib
+import io
 import os
 import pkgutil
+import re
 import subprocess
 import sys
 import unittest
+from pathlib import Path
 
 from common import TestCase, hvi, np, oscillator
 
@@ -105,6 +109,16 @@ k = [1, 4]
 
 
 class Examples(TestCase):
+    def test_blocks_of_the_manual(self):
+        page = Path(os.environ["HVI_PYTHON_PACKAGE"]).parent / "docs/python.md"
+        blocks = re.findall(r"```python\n(.*?)```", page.read_text(encoding="utf-8"), re.DOTALL)
+        self.assertGreater(len(blocks), 4)
+        names = {}
+        with contextlib.redirect_stdout(io.StringIO()) as out:
+            for block in blocks:
+                exec(compile(block, "docs/python.md", "exec"), names)
+        self.assertTrue(out.getvalue().startswith("True True\n"))
+
     def test_examples_in_docstrings(self):
         names = ["hvi", *(f"hvi.{module.name}" for module in pkgutil.iter_modules(hvi.__path__))]
         tried = 0

@@ -1,5 +1,6 @@
 # Scenes: how they are made, what they say, and what is refused.
 # SPDX-License-Identifier: MIT
+import json
 import math
 import os
 import pickle
@@ -43,6 +44,13 @@ class Scenes(TestCase):
         self.assertEqual(result.q[0, 0], math.pi / 4)
         with self.assertRaises(ValueError):
             hvi.Scene(coordinates=["q"], hamiltonian=q * sympy.I, initial={"q": 1, "p": 0}).text
+
+    def test_names_of_momenta(self):
+        for coordinates, momenta in ((["x", "y"], ["px", "py"]), (["x", "y"], ["p_x", "p_y"]),
+                                     (["q1", "q2"], ["p1", "p2"]), (["q"], ["p"])):
+            H = " + ".join(f"{p}^2/2" for p in momenta)
+            scene = hvi.Scene(coordinates=coordinates, hamiltonian=H)
+            self.assertIn(f"momenta = {json.dumps(momenta)}", scene.text)
 
     def test_a_lagrangian(self):
         scene = hvi.Scene(coordinates=["q"], lagrangian="v^2/2 - q^2/2", velocities=["v"],
