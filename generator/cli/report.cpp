@@ -237,6 +237,8 @@ void add_edges(Report& report, Builds& builds, const std::vector<ExactMethod>& m
     add(ReportItem::stiff, "chain", [&] { return chain(builds, methods); });
     add(ReportItem::extreme, "extreme", [&] { return extreme(builds, methods); });
     add(ReportItem::long_runs, "long runs", [&] { return long_runs(builds, methods); });
+    add(ReportItem::time, "events and scaled time",
+        [&] { return events_and_scales(builds, methods); });
     add(ReportItem::symplecticity, "symplecticity",
         [&] { return symplecticity(builds, methods, given.empty() ? all_scenes() : given); });
 }
