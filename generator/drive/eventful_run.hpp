@@ -16,8 +16,8 @@ struct EventfulRunWishes {
     std::int64_t steps = 0;  ///< with a clock the most that are taken
     std::vector<DrivenEvent> events = {};
     std::optional<ScaledClock> clock = {};
-    double seconds = 0;         ///< over which repetitions are timed; 0: none are
-    std::int64_t samples = 0;   ///< of departures, in place of all else, where there are some
+    double seconds = 0;        ///< over which repetitions are timed; 0: none are
+    std::int64_t samples = 0;  ///< of departures, in place of all else, where there are some
 };
 
 /// Takes the run, and says as src/driver/measure.hpp does where it ends, and besides the time there

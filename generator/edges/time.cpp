@@ -6,7 +6,9 @@
 #include <optional>
 #include <utility>
 
+#include "generator/drive/eventful_run.hpp"
 #include "generator/edges/edges.hpp"
+#include "generator/edges/passage.hpp"
 #include "generator/edges/program.hpp"
 #include "generator/edges/time_cases.hpp"
 #include "generator/hamiltonian/canonical.hpp"
@@ -49,6 +51,8 @@ EventfulRunWishes wishes_of(const ReadyRun& ready) {
 
 std::string text(const EventfulMeasurement& seen) {
     std::string text = fmt::format("{} at t = {:.9g}", seen.run.status, seen.t);
+    if (seen.events.empty())
+        text += fmt::format(", the energy off by {:.2g}", seen.run.departures.front());
     if (!seen.events.empty())
         text += fmt::format(", {} event{}", fmt::join(seen.events, ", "),
                             seen.events == std::vector<std::int64_t>{1} ? "" : "s");
@@ -66,8 +70,9 @@ EdgeCheck checked(const ReadyRun& ready) {
 
 /// Whether there is no stepper, for this reason.
 EdgeCheck checked(const ExactMethod& method, const RefusedScale& refused) {
-    EdgeCheck check{method.name(), refused.scene.name, refused.what,
-                    "no run: the scale " + refused.words, "a stepper", false};
+    EdgeCheck check{method.name(), refused.scene.name,
+                    refused.what,  "no run: a scale that " + refused.words,
+                    "a stepper",   false};
     try {
         static_cast<void>(scene_stepper(method.method, refused.scene,
                                         simulation_wishes(Solver::automatic, method.composition)));
@@ -112,7 +117,9 @@ EdgeChapter events_and_scales(Builds& builds, const std::vector<ExactMethod>& me
     for (RunCase& run : runs_with_events()) runs.push_back(std::move(run));
     std::vector<ReadyRun> all;
     for (const ExactMethod& method : methods) {
+        const int order = known_order(method).order;
         for (const RunCase& run : runs) {
+            if (order < run.least_order) continue;
             if (auto refusal = refusal_of_general_form(method, run.scene))
                 chapter.checks.push_back(*std::move(refusal));
             else
@@ -126,8 +133,7 @@ EdgeChapter events_and_scales(Builds& builds, const std::vector<ExactMethod>& me
         chapter.checks.push_back(checked(all[i]));
     }
     for (const ExactMethod& method : methods) {
-        for (const RefusedScale& scale : scales)
-            chapter.checks.push_back(checked(method, scale));
+        for (const RefusedScale& scale : scales) chapter.checks.push_back(checked(method, scale));
         for (const ClaimedJump& jump : jumps) chapter.checks.push_back(checked(method, jump));
     }
     return chapter;

@@ -19,6 +19,7 @@ struct RunCase {
     std::string expected;
     /// Precondition of the call: the run has an end, of a state of as many numbers as expected.
     std::function<bool(const EventfulMeasurement&)> agrees;
+    int least_order = 1;  ///< of methods of which that is expected
 };
 
 /// A scale of the time with which there is no run.

@@ -15,7 +15,7 @@ namespace hvi::gen {
 /// Where such a run ends and what it costs.
 struct EventfulMeasurement {
     Measurement run;
-    double t = 0;                          ///< at the end
+    double t = 0;                           ///< at the end
     std::vector<std::int64_t> events = {};  ///< how many there were of each
 };
 
