@@ -21,7 +21,13 @@ Scene scene_of(const AccuracyQuestion& question) {
     MethodOptions any;
     any.name = given("--method", "gauss:2");
     any.parameters = question.parameters;
-    return read_scene(any, question.system).scene;
+    Scene scene = read_scene(any, question.system).scene;
+    refuse_scale(scene, "--accuracy");
+    for (const IndexedEvent& event : scene.events)
+        if (event.set)
+            throw InputError("--accuracy is not built for events that jump", event.place,
+                             "`report` measures errors of their runs");
+    return scene;
 }
 
 std::string text(Solver solver) { return solver == Solver::fixed_point ? "fixed-point" : "auto"; }
