@@ -10,6 +10,7 @@
 #include <hvi/detail/trajectories/event.hpp>
 
 #include "generator/drive/driven_stepper.hpp"
+#include "generator/drive/event_crossing.hpp"
 
 namespace hvi::gen {
 
@@ -19,6 +20,7 @@ struct DrivenEvent {
     std::int64_t stop = 0;       ///< the run ends at this one; 0 for none
     std::function<void(DrivenStepper::State&, double)> set = {};  ///< what jumps; or nothing
     std::string name = {};
+    FindCrossing crossing = {};  ///< its derivatives; nothing where they are not built
 };
 
 /// The time where steps are of another variable: the last of the coordinates.

@@ -46,6 +46,7 @@ void add_directions(SceneStepper& stepper, const Method& method, const Scene& sc
         throw InputError("--tangent is not built for ensembles, whose steps are those of eight "
                          "trajectories",
                          wishes.lanes.place);
+    refuse_scale(scene, option);
     const SceneStepper carrier =
         tangent_stepper(method, scene, wishes_of_carrier(stepper, wishes), option);
     const bool is_symmetric =
