@@ -24,6 +24,8 @@ public:
     explicit EventfulRun(const EventfulRunWishes& wishes)
         : wishes_(wishes), counts_(wishes.events.size()) {
         if (wishes_.clock) course_.take_time_from([](const State& x) { return x.q.back(); });
+        course_.output_at(wishes_.times,
+                          [this](const State& x, double) { outputs_.push_back(x.q.front()); });
     }
 
     /// Calls see(stepper, x, t) where steps and the run end.
@@ -52,6 +54,7 @@ public:
         driver::say("iterations", run_.run.iterations);
         driver::say("evaluations", stepper_.evaluations());
         for (const std::int64_t count : counts_) driver::say("events", count);
+        for (const double q : outputs_) driver::say("output", q);
         const State end = wishes_.clock ? without_clock(x_) : x_;
         for (const double q : end.q) driver::say("end", q);
         for (const double p : end.p) driver::say("end", p);
@@ -77,6 +80,7 @@ private:
 
     const EventfulRunWishes& wishes_;
     std::vector<std::int64_t> counts_;
+    std::vector<double> outputs_;
     DrivenStepper stepper_ = DrivenProblem::stepper();
     State x_ = DrivenProblem::initial();
     EventRun<double> run_;

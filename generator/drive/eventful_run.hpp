@@ -16,13 +16,14 @@ struct EventfulRunWishes {
     std::int64_t steps = 0;  ///< with a clock the most that are taken
     std::vector<DrivenEvent> events = {};
     std::optional<ScaledClock> clock = {};
-    double seconds = 0;        ///< over which repetitions are timed; 0: none are
-    std::int64_t samples = 0;  ///< of departures, in place of all else, where there are some
+    std::vector<double> times = {};  ///< at which it looks at the state, in the order of the run
+    double seconds = 0;              ///< over which repetitions are timed; 0: none are
+    std::int64_t samples = 0;        ///< of departures, in place of all else, where there are some
 };
 
-/// Takes the run, and says as src/driver/measure.hpp does where it ends, and besides the time there
-/// and how often each event came; or samples of departures. The status of its end is 0 also where a
-/// step failed.
+/// Takes the run, and says as src/driver/measure.hpp does where it ends, and besides the time
+/// there, how often each event came and the first coordinate at each of the times; or samples of
+/// departures. The status of its end is 0 also where a step failed.
 [[nodiscard]] int take_eventful_run(const EventfulRunWishes& wishes);
 
 }  // namespace hvi::gen

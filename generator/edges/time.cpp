@@ -41,7 +41,7 @@ ReadyRun ready(Builds& builds, const ExactMethod& method, const RunCase& run) {
 EventfulRunWishes wishes_of(const ReadyRun& ready) {
     constexpr std::int64_t most = 100'000;
     const RunCase& run = *ready.run;
-    EventfulRunWishes wishes{.h = run.h, .steps = most, .events = ready.events};
+    EventfulRunWishes wishes{.h = run.h, .steps = most, .events = ready.events, .times = run.times};
     if (run.scene.scale)
         wishes.clock = ScaledClock{run.until};
     else
@@ -51,6 +51,7 @@ EventfulRunWishes wishes_of(const ReadyRun& ready) {
 
 std::string text(const EventfulMeasurement& seen) {
     std::string text = fmt::format("{} at t = {:.9g}", seen.run.status, seen.t);
+    if (!seen.outputs.empty()) text += fmt::format(", q = {:.9g}", fmt::join(seen.outputs, ", "));
     if (seen.events.empty())
         text += fmt::format(", the energy off by {:.2g}", seen.run.departures.front());
     if (!seen.events.empty())
@@ -108,7 +109,7 @@ EdgeChapter events_and_scales(Builds& builds, const std::vector<ExactMethod>& me
         "motion has them: not where a function is zero at the start, nor where it does not change "
         "its sign; also two in one step, two at one time, and one just at the end. Of infinitely "
         "many before a time the run ends with a status there. A jump that is said to be symplectic "
-        "is proved to be, or refused.",
+        "is proved to be, or refused. Of checkpoints the last whole one counts, with every bit.",
         {},
         {}};
     const std::vector<RefusedScale> scales = refused_scales();
@@ -136,6 +137,8 @@ EdgeChapter events_and_scales(Builds& builds, const std::vector<ExactMethod>& me
         for (const RefusedScale& scale : scales) chapter.checks.push_back(checked(method, scale));
         for (const ClaimedJump& jump : jumps) chapter.checks.push_back(checked(method, jump));
     }
+    chapter.checks.push_back(numbers_of_checkpoint());
+    chapter.checks.push_back(cut_checkpoint());
     return chapter;
 }
 

@@ -90,11 +90,14 @@ Judge stops(const std::string& words, double from, double to) {
     };
 }
 
+bool are_near(const std::vector<double>& x, const std::vector<double>& y) {
+    return std::equal(x.begin(), x.end(), y.begin(), y.end(),
+                      [](double a, double b) { return std::abs(a - b) <= 1e-12; });
+}
+
 bool ends_at(const EventfulMeasurement& seen, const std::vector<double>& state) {
     const auto* end = std::get_if<EndOfRun>(&seen.run.end);
-    return end != nullptr && end->state.size() == state.size() &&
-           std::equal(state.begin(), state.end(), end->state.begin(),
-                      [](double x, double y) { return std::abs(x - y) <= 1e-12; });
+    return end != nullptr && are_near(end->state, state);
 }
 
 }  // namespace
@@ -131,6 +134,16 @@ std::vector<RunCase> runs_with_events() {
          "a function that is no number behind t = pi/3", step, 2,
          "a status, at t = pi/3 within two steps",
          stops("no number", pi / 3 - 2 * step, pi / 3 + 2 * step)},
+        {with_event(ball, "zero = \"q\"\ndirection = \"down\"\nset = {p = \"-p\"}"),
+         "a jump at t = 1, where a state is asked for; and times in the past",
+         step,
+         2,
+         "1 event, q = 1/2, 3/8, 0, 3/8, 1/2 at t = 0, 1/2, 1, 3/2, 2, and none at t = -1",
+         [](const EventfulMeasurement& seen) {
+             return counts({1})(seen) && are_near(seen.outputs, {0.5, 0.375, 0, 0.375, 0.5});
+         },
+         2,
+         {-1, 0, 0.5, 1, 1.5, 2}},
         // It flies for 1, 1, 1/2, 1/4, ... In steps of the first order it comes to the floor at
         // rest.
         {with_event(ball, "zero = \"q\"\ndirection = \"down\"\nset = {p = \"-p/2\"}"),

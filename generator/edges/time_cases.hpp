@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "generator/edges/edges.hpp"
 #include "generator/read/scene.hpp"
 #include "generator/simulate/eventful_run.hpp"
 
@@ -19,7 +20,8 @@ struct RunCase {
     std::string expected;
     /// Precondition of the call: the run has an end, of a state of as many numbers as expected.
     std::function<bool(const EventfulMeasurement&)> agrees;
-    int least_order = 1;  ///< of methods of which that is expected
+    int least_order = 1;             ///< of methods of which that is expected
+    std::vector<double> times = {};  ///< at which it looks at the first coordinate
 };
 
 /// A scale of the time with which there is no run.
@@ -40,5 +42,9 @@ struct ClaimedJump {
 [[nodiscard]] std::vector<RunCase> runs_with_events();
 [[nodiscard]] std::vector<RefusedScale> refused_scales();
 [[nodiscard]] std::vector<ClaimedJump> claimed_jumps();
+
+/// Checkpoints that are written and read, of no run.
+[[nodiscard]] EdgeCheck numbers_of_checkpoint();
+[[nodiscard]] EdgeCheck cut_checkpoint();
 
 }  // namespace hvi::gen

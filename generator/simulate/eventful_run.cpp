@@ -7,7 +7,8 @@ namespace hvi::gen {
 
 EventfulMeasurement measure(const Target& target, const EventfulRunWishes& wishes) {
     const Answers answers = ask(target, wishes);
-    EventfulMeasurement result{measurement(answers), answers.number("t"), {}};
+    EventfulMeasurement result{
+        measurement(answers), answers.number("t"), {}, answers.numbers("output")};
     for (const double count : answers.numbers("events", wishes.events.size()))
         result.events.push_back(static_cast<std::int64_t>(count));
     const std::string fault = fault_of_event(answers, wishes.events);

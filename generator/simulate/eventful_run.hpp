@@ -17,6 +17,7 @@ struct EventfulMeasurement {
     Measurement run;
     double t = 0;                           ///< at the end
     std::vector<std::int64_t> events = {};  ///< how many there were of each
+    std::vector<double> outputs = {};       ///< the first coordinate at times that are asked for
 };
 
 /// Throws as ask() does. Precondition: the target is no Program, and no samples are wished for.

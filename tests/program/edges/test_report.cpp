@@ -102,7 +102,7 @@ TEST_CASE("gauss:2 does at the edges what it should") {
             find(runs, "kepler", what).at("expected").get<std::string>().find("at the end more") ==
             0);
     const json time = checks_of(report, "time");
-    CHECK(time.size() == 18);
+    CHECK(time.size() == 21);
     CHECK(
         find(time, "ball", "infinitely many").at("seen").get<std::string>().find("t = 2.9999999") !=
         std::string::npos);
@@ -111,6 +111,11 @@ TEST_CASE("gauss:2 does at the edges what it should") {
               .get<std::string>()
               .rfind("the time does not go on with the steps at t = 1,", 0) == 0);
     CHECK(find(time, "ball", "-p/2, said").at("seen") == "refused");
+    CHECK(find(time, "ball", "a jump at t = 1")
+              .at("seen")
+              .get<std::string>()
+              .find("q = 0.5, 0.375,") != std::string::npos);
+    CHECK(find(time, "checkpoint", "numbers").at("seen") == "10 with their bits");
     const json symplecticity = checks_of(report, "symplecticity");
     CHECK(symplecticity.size() == 46);
     // (32 steps + 4) 2^-53.
