@@ -111,6 +111,9 @@ TEST_CASE("errors of runs that jump") {
     const json reference = report.at("scenes")[0].at("reference");
     CHECK(reference.at("kind") == "gauss:10 in 53 bits");
     CHECK(reference.at("error") < 1e-13);
+    const json& first = report.at("scenes")[0].at("methods")[0].at("points")[0];
+    CHECK(first.at("h") == 1.0 / 64);
+    CHECK(first.at("steps") == 256);
     // Stormer-Verlet makes no error where the force is constant, nor in its shorter steps.
     CHECK(error_at(report, 0, 0) < 1e-13);
     CHECK(std::abs(std::log2(error_at(report, 1, 0) / error_at(report, 1, 1)) - 1) < 0.3);
