@@ -252,9 +252,7 @@ private:
     }
 
     /// The state without time and its momentum.
-    [[nodiscard]] State seen(const State& x) const {
-        return wishes_.clock ? without_clock(x) : x;
-    }
+    [[nodiscard]] State seen(const State& x) const { return wishes_.clock ? without_clock(x) : x; }
 
     [[nodiscard]] bool are_good() const {
         return std::all_of(tables_.begin(), tables_.end(),
