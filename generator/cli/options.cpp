@@ -242,7 +242,7 @@ std::set<ReportItem> items_of_report(const Words& words) {
     if (!std::all_of(named.begin(), named.end(), is_file)) return items;
     items.insert({rejections, symplecticity});
     if (words.has("SCENE") || !words.has("--edges")) items.insert(work);
-    if (words.has("--edges")) items.insert({stiff, extreme, long_runs});
+    if (words.has("--edges")) items.insert({stiff, extreme, long_runs, time});
     return items;
 }
 

@@ -77,7 +77,8 @@ constexpr std::array report_items = {
     choice("csv", ReportItem::csv),        choice("svg", ReportItem::svg),
     choice("work", ReportItem::work),      choice("rejections", ReportItem::rejections),
     choice("stiff", ReportItem::stiff),    choice("extreme", ReportItem::extreme),
-    choice("long", ReportItem::long_runs), choice("symplecticity", ReportItem::symplecticity)};
+    choice("long", ReportItem::long_runs), choice("time", ReportItem::time),
+    choice("symplecticity", ReportItem::symplecticity)};
 constexpr std::array topics = {choice("bases", Topic::bases), choice("nodes", Topic::nodes),
                                choice("methods", Topic::methods), choice("scenes", Topic::scenes),
                                choice("functions", Topic::functions)};

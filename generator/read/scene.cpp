@@ -76,7 +76,7 @@ void refuse_rotations(const Scene& scene, std::string_view what) {
 void refuse_scale(const Scene& scene, std::string_view what) {
     if (!scene.scale) { return; }
     throw InputError(fmt::format("{} is not built for scenes with a scale of the time", what),
-                     scene.scale->place, "`stepper`, `module` and `run` take these");
+                     scene.scale->place, "`stepper`, `module`, `run` and `report` take these");
 }
 
 const std::string& title(const Scene& scene) {
