@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/module/module.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <set>
 #include <sstream>
 #include <utility>
 #include <vector>
@@ -15,6 +17,7 @@
 #include "generator/module/python_package.hpp"
 #include "generator/options/option_table.hpp"
 #include "generator/program/builds.hpp"
+#include "generator/read/names.hpp"
 #include "generator/scene/step_count.hpp"
 #include "generator/support/error.hpp"
 #include "generator/support/output_file.hpp"
@@ -53,9 +56,27 @@ std::string contents(const std::filesystem::path& path) {
     return std::move(text).str();
 }
 
-PackageTimes package_times(const Scene& scene) {
+/// Parameters that are computed from others.
+std::vector<ComputedParameter> computed_parameters(const Scene& scene) {
+    std::set<std::string> names;
+    for (const IndexedValue& each : scene.parameters) names.insert(each.name);
+    std::vector<ComputedParameter> result;
+    for (const IndexedValue& each : scene.parameters) {
+        const auto* value = std::get_if<IndexedExpression>(&each.value);
+        if (value == nullptr) continue;
+        std::set<std::string> symbols;
+        insert_parameters(value->written, symbols);
+        const bool is_computed = std::any_of(
+            symbols.begin(), symbols.end(), [&](const auto& name) { return names.contains(name); });
+        if (is_computed) result.push_back({each.name, to_text(value->written)});
+    }
+    return result;
+}
+
+PackageScene package_scene(const Scene& scene) {
     const SceneTimes times = times_of(scene);
-    PackageTimes result;
+    PackageScene result;
+    result.computed = computed_parameters(scene);
     if (times.step) result.step = nearest_value(times, *times.step);
     if (times.until) result.until = nearest_value(times, *times.until);
     return result;
@@ -64,11 +85,11 @@ PackageTimes package_times(const Scene& scene) {
 /// Files of the package, the library among them; compiles that.
 std::vector<PackageFile> package(const SceneStepper& stepper, const CModule& module,
                                  const std::string& name, const std::string& command,
-                                 const PackageTimes& times) {
+                                 const PackageScene& scene) {
     Builds builds(find_compiler());
     const std::filesystem::path library =
         built(builds.order(program_text(module, name, stepper.own_headers)));
-    std::vector<PackageFile> files = python_package(stepper, name, command, times);
+    std::vector<PackageFile> files = python_package(stepper, name, command, scene);
     files.push_back({package_library(name), contents(library)});
     return files;
 }
@@ -78,7 +99,7 @@ std::vector<PackageFile> files_of(const SceneStepper& stepper, const Scene& scen
     const std::string line = command(stepper, scene.origin, options);
     const CModule module = c_module(stepper, name, line);
     if (options.language == Language::python)
-        return package(stepper, module, name, line, package_times(scene));
+        return package(stepper, module, name, line, package_scene(scene));
     return {{name + ".h", module.header}, {name + ".cpp", module.source}};
 }
 

@@ -50,6 +50,14 @@ std::string python_numbers(const System& system) {
     return writer.str();
 }
 
+std::string python_formulas(const std::vector<ComputedParameter>& computed) {
+    Writer writer(2);
+    for (const ComputedParameter& each : computed) {
+        writer.line("{}: {},", python_text(each.name), python_text(each.formula));
+    }
+    return writer.str();
+}
+
 std::string python_lists(const System& system) {
     Writer writer(2);
     for (const SystemTable& table : system.tables) {
@@ -69,7 +77,7 @@ std::string directory(const System& system) {
 std::string package_library(const std::string& name) { return "lib" + name + ".so"; }
 
 std::vector<PackageFile> python_package(const SceneStepper& stepper, const std::string& name,
-                                        const std::string& command, const PackageTimes& times) {
+                                        const std::string& command, const PackageScene& scene) {
     const System& system = stepper.system;
     std::vector<PackageFile> files = {
         {"__init__.py", fill("package.py.in", {{"command", python_text(command)},
@@ -79,11 +87,12 @@ std::vector<PackageFile> python_package(const SceneStepper& stepper, const std::
                                                {"method", python_text(stepper.method.title())},
                                                {"library", python_text(package_library(name))},
                                                {"numbers", python_numbers(system)},
+                                               {"formulas", python_formulas(scene.computed)},
                                                {"lists", python_lists(system)},
                                                {"directory", python_text(directory(system))},
                                                {"has_time", system.time ? "True" : "False"},
-                                               {"step", python_number(times.step)},
-                                               {"until", python_number(times.until)}})},
+                                               {"step", python_number(scene.step)},
+                                               {"until", python_number(scene.until)}})},
         {"py.typed", ""}};
     for (const EmbeddedFile& file : embedded_python()) {
         files.push_back({std::string(file.name), std::string(file.text)});

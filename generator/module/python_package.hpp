@@ -15,9 +15,16 @@ struct PackageFile {
     std::string name, text;
 };
 
-/// Times of the scene's [run], where it has them.
-struct PackageTimes {
-    std::optional<double> step, until;
+/// A parameter whose default is computed from other parameters.
+struct ComputedParameter {
+    std::string name;
+    std::string formula;  ///< in the scene's words: `(N+1)/32`
+};
+
+/// Parts of the scene that a stepper does not have.
+struct PackageScene {
+    std::optional<double> step, until;        ///< of its [run]
+    std::vector<ComputedParameter> computed;  ///< in the order of the scene
 };
 
 /// The name of the library in a package of that name.
@@ -29,6 +36,6 @@ struct PackageTimes {
 [[nodiscard]] std::vector<PackageFile> python_package(const SceneStepper& stepper,
                                                       const std::string& name,
                                                       const std::string& command,
-                                                      const PackageTimes& times);
+                                                      const PackageScene& scene);
 
 }  // namespace hvi::gen

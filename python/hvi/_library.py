@@ -5,10 +5,13 @@ from __future__ import annotations
 import ctypes
 import dataclasses
 import os
+import re
 from ctypes import POINTER, byref, c_char_p, c_double, c_int, c_int64, c_size_t, c_uint, c_void_p
 from typing import Any, Mapping
 
 import numpy as np
+
+from ._expressions import compiled
 
 # An array's address goes to C as it is: POINTER(c_double) would make an object for each call.
 _numbers = c_void_p
@@ -33,6 +36,7 @@ class Description:
     method: str
     command: str  #: that writes the stepper again
     numbers: Mapping[str, float]  #: parameters that are numbers, with their defaults
+    formulas: Mapping[str, str]  #: of parameters that are computed from others
     lists: tuple[str, ...]  #: parameters that are lists; they come after the numbers
     directory: str  #: where files of the scene are; empty where it has none
     has_time: bool  #: whether a state ends with the time
@@ -116,6 +120,11 @@ class Library:
         assert handle.value is not None
         return handle.value
 
+    def parameters(self, given: Mapping[str, Any]) -> dict[str, Any]:
+        """Values of all parameters: given, computed from those, and defaults."""
+        given = _written_out(given, self.description.numbers)
+        return {**self.description.numbers, **_computed(given, self.description), **given}
+
     def _values(self, parameters: Mapping[str, Any]) -> np.ndarray:
         description = self.description
         known = (*description.numbers, *description.lists)
@@ -126,12 +135,26 @@ class Library:
                                 + (", ".join(known) or "none"))
         if not parameters:
             return np.empty(0)
-        numbers = [parameters.get(name, value) for name, value in description.numbers.items()]
+        values = self.parameters(parameters)
+        numbers = [values[name] for name in description.numbers]
         given = [name for name in description.lists if name in parameters]
         if given and len(given) < len(description.lists):
             raise TypeError("lists are given all or none: " + ", ".join(description.lists))
         lists = [np.asarray(parameters[name], dtype=float).ravel() for name in given]
         return np.concatenate([np.asarray(numbers, dtype=float), *lists])
+
+
+def _computed(given: Mapping[str, Any], description: Description) -> dict[str, float]:
+    """Values of parameters that are computed from those that are given."""
+    values = {**description.numbers, **given}
+    changed, result = set(given), {}
+    for name, formula in description.formulas.items():
+        words = set(re.findall(r"[A-Za-z_]\w*", formula))
+        if name in given or not words & changed:
+            continue
+        changed.add(name)
+        values[name] = result[name] = compiled(formula, [], values)(0.0, [])
+    return result
 
 
 def _written_out(parameters: Mapping[str, Any], numbers: Mapping[str, float]) -> dict[str, Any]:

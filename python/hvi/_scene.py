@@ -60,7 +60,8 @@ class Scene:
     True
 
     one of its own. Momenta without names are `p`, of several coordinates `p_x` or `px`, or `p1` of
-    `q1`, as the Hamiltonian has them. Expressions are text or sympy's. Parameters are numbers and expressions; a
+    `q1`, as the Hamiltonian has them. `scale` is that of the time, `"logarithmic"` or an expression
+    dt/ds: steps are then in s. Expressions are text or sympy's. Parameters are numbers and expressions; a
     float stands for the decimal that Python prints, so that 0.1 is 1/10. Text with an error raises
     InputError, with a caret below the place, when it is read: at the first use.
     """
@@ -71,11 +72,11 @@ class Scene:
                  lagrangian: Any = None,
                  parameters: Mapping[str, Any] | None = None,
                  initial: Mapping[str, Any] | None = None,
-                 invariants: Mapping[str, Any] | None = None, method: Any = None,
-                 step: Any = None, until: Any = None, name: str = "scene"):
+                 invariants: Mapping[str, Any] | None = None, scale: Any = None,
+                 method: Any = None, step: Any = None, until: Any = None, name: str = "scene"):
         has_parts = any(part is not None for part in (
             coordinates, momenta, velocities, hamiltonian, lagrangian, parameters, initial,
-            invariants))
+            invariants, scale))
         if (source is None) == (not has_parts):
             raise TypeError("a scene has a name or a file, or coordinates and a hamiltonian or "
                             "lagrangian")
@@ -101,6 +102,7 @@ class Scene:
                 {"velocities": list(velocities or _conjugates("v", coordinates, lagrangian)),
                  "lagrangian": lagrangian})},
             {"parameters": parameters, "invariants": invariants, "initial": initial,
+             "time": {"scale": scale} if scale is not None else None,
              "run": {key: value for key, value in (("step", step), ("until", until))
                      if value is not None}})
 

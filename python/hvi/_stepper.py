@@ -59,7 +59,7 @@ class Stepper:
     @property
     def parameters(self) -> dict[str, Any]:
         """All parameters that are numbers with their values, and lists that were given."""
-        return {**self.description.numbers, **self._parameters}
+        return self._library.parameters(self._parameters)
 
     def copy(self) -> "Stepper":
         """Makes another stepper that goes on, bit by bit, as this one would."""

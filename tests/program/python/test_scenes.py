@@ -70,6 +70,15 @@ class Scenes(TestCase):
         with self.assertRaisesRegex(TypeError, "no parameter 'nu'"):
             kepler.integrate((0, 1), step=0.1, method="gauss:2", parameters={"nu": 2})
 
+    def test_parameters_that_are_computed_from_others(self):
+        folder = self.folder()
+        (folder / "chain.toml").write_text(hvi.Scene("fpu-chain").text)  # amplitude = (N+1)/32
+        chain = hvi.Scene(folder / "chain.toml")
+        self.assertEqual(chain.stepper(N=31).parameters["amplitude"], 1)
+        self.assertAlmostEqual(chain.stepper(N=31).initial()[15], 1, delta=1e-15)
+        self.assertEqual(chain.stepper(N=31, amplitude=3).parameters["amplitude"], 3)
+        self.assertAlmostEqual(chain.stepper(N=31, amplitude=3).initial()[15], 3, delta=1e-15)
+
     def test_errors_have_the_caret(self):
         with self.assertRaises(hvi.InputError) as caught:
             hvi.Scene(coordinates=["q"], hamiltonian="p^2/2 + quartic(q)",
