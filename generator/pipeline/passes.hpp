@@ -9,9 +9,12 @@
 
 namespace hvi::gen {
 
+/// Throws InputError, with `what` wishes for directions, for rotations, scaled time and functions
+/// of the user's own.
+void check_directions(const Scene& scene, std::string_view what);
+
 /// A stepper of the scene's motion and of a direction that it carries along: see with_tangent().
-/// Throws InputError, with `what` wishes for it, for rotations, scaled time and functions of the
-/// user's own.
+/// Throws as check_directions() does.
 [[nodiscard]] SceneStepper tangent_stepper(const Method& method, const Scene& scene,
                                            const StepperWishes& wishes, std::string_view what);
 
