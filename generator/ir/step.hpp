@@ -251,10 +251,10 @@ struct StageCorrections {
     SolverCosts costs = {};
 };
 
-/// Whether a step carries directions, by the derivative of the map that it is.
-enum class Directions {
-    none,
-    along,  ///< any number of them, with the stages of (q, p)
+/// What a step moves beside the state.
+enum class Carries {
+    nothing,
+    directions,  ///< any number of them, by its derivative, with the stages of (q, p)
 };
 
 /// A choice, and why.
@@ -295,7 +295,7 @@ struct Step {
     std::size_t register_width = widest_register;
     /// How many values dH/dp takes from the dH/dq before it, of stages in lanes.
     std::size_t shared_slopes = 0;
-    Directions directions = Directions::none;
+    Carries carries = Carries::nothing;
     std::vector<Decision> decisions;
 
     [[nodiscard]] bool is_separable() const { return slopes == Slopes::of_parts; }

@@ -63,7 +63,10 @@ void add_directions(SceneStepper& stepper, const Method& method, const Scene& sc
         hvi::gen::is_symmetric(ExactMethod{{method, wishes.composition}, stepper.method.base});
     const PulledBack pulled_back = is_symmetric ? PulledBack::step_back : PulledBack::columns;
     if (carries_along(stepper, wishes)) {
-        stepper.step.directions = Directions::along;
+        stepper.step.carries = Carries::directions;
+        stepper.step.decisions.push_back(
+            {"directions go along with the stages of (q, p)",
+             "their equations are linear, and share what second derivatives have of these"});
         stepper.evaluations->directions = direction_kernels(stepper.system);
         StepToEmit along = to_emit(stepper);
         along.options.note = wishes.note;

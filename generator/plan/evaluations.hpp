@@ -46,7 +46,7 @@ struct Evaluations {
     std::optional<SecondDerivatives> constant;   ///< terms of them, of CoupledConstants
     std::optional<SecondDerivatives> second;     ///< where an iteration needs some
     std::optional<Tangents> tangents;            ///< for Solver::newton_taylor
-    std::optional<DirectionKernels> directions;  ///< of Directions::along
+    std::optional<DirectionKernels> directions;  ///< of Carries::directions
 };
 
 [[nodiscard]] Evaluations evaluations(const System& system, GradientKernels gradients,

@@ -6,7 +6,7 @@
 namespace hvi::gen {
 namespace {
 
-bool carries(const Step& step) { return step.directions == Directions::along; }
+bool carries_directions(const Step& step) { return step.carries == Carries::directions; }
 
 bool has_momenta(const Step& step) { return std::holds_alternative<PairStep>(step.form); }
 
@@ -98,7 +98,7 @@ std::string tables_text(const Step& step) {
 }  // namespace
 
 std::string type_of_along(const Step& step, const Evaluations* evaluations) {
-    if (!carries(step)) { return {}; }
+    if (!carries_directions(step)) { return {}; }
     const DirectionKernels& kernels = *evaluations->directions;
     Writer writer(1);
     writer.blank().line("/// Directions that a step carries along; see hvi/directions.hpp.");
@@ -118,15 +118,15 @@ std::string type_of_along(const Step& step, const Evaluations* evaluations) {
 }
 
 std::string along_argument(const Step& step, StepFunction function) {
-    if (!carries(step)) { return {}; }
+    if (!carries_directions(step)) { return {}; }
     return function == StepFunction::whole ? ", Along* along = nullptr" : ", Along* along";
 }
 
-std::string_view along_passed(const Step& step) { return carries(step) ? ", along" : ""; }
+std::string_view along_passed(const Step& step) { return carries_directions(step) ? ", along" : ""; }
 
 std::string carry_by_move(const Step& step, const Move& move, std::string_view at,
                           std::string_view size) {
-    if (!carries(step)) { return {}; }
+    if (!carries_directions(step)) { return {}; }
     const std::string time =
         move.kick ? time_of_stage(step, std::to_string(move.index), "s_") : std::string();
     return Writer(2)
@@ -136,7 +136,7 @@ std::string carry_by_move(const Step& step, const Move& move, std::string_view a
 }
 
 std::string end_of_moves(const Step& step) {
-    if (!carries(step)) { return {}; }
+    if (!carries_directions(step)) { return {}; }
     return Writer(2)
         .open("if (along != nullptr && !along->is_finite()) {{")
         .line("return Status(Status::Code::not_finite);")
@@ -145,7 +145,7 @@ std::string end_of_moves(const Step& step) {
 }
 
 std::string call_of_carry(const Step& step) {
-    if (!carries(step)) { return {}; }
+    if (!carries_directions(step)) { return {}; }
     return Writer(2)
         .open("if (along != nullptr) {{")
         .line("status = carry({}*along{}, status.iterations);",
@@ -156,8 +156,8 @@ std::string call_of_carry(const Step& step) {
 }
 
 void add_carry(ImplicitParts& parts, const Step& step) {
-    if (!carries(step)) { return; }
-    parts.predict += carry_text(step);
+    if (!carries_directions(step)) { return; }
+    parts.predict += "\n" + carry_text(step);
     if (step.layout == Layout::stages) { return; }
     parts.constants += tables_text(step);
     parts.runtime.push_back(has_momenta(step) ? "detail/lanes/stage_lanes"

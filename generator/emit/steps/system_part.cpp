@@ -207,7 +207,7 @@ std::string constructors_for_scene(const Step& step, const EmitOptions& options,
         writer.line("    : system_({}), coefficients_({}) {{}}", system, parameter);
     }
     writer.blank().insert(scene_members_text(*options.system, options.wishes, step));
-    const bool carries = !options.parameters_of.empty() || step.directions == Directions::along;
+    const bool carries = !options.parameters_of.empty() || step.carries == Carries::directions;
     if (carries && step.iteration() != nullptr) {
         writer.line("/// See hvi::detail::go_on_from().");
         writer.line("void go_on_from(const State& x) {{ s_.go_on_from(x); }}");

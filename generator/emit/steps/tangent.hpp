@@ -22,7 +22,7 @@ enum class PulledBack {
 };
 
 /// The header of the class that `stepper` names, whose steps carry directions themselves.
-/// Precondition: they are Directions::along.
+/// Precondition: they are Carries::directions.
 [[nodiscard]] std::string emit_with_directions(const StepToEmit& stepper, PulledBack pulled_back);
 
 /// The header of the class that `stepper` names, made of its own and of one for the motion together

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <utility>
 #include <vector>
 
 #include <hvi/detail/directions/carried_apart.hpp>
@@ -18,7 +17,7 @@ public:
     using State = typename Stepper::State;
     using Scalar = typename Stepper::Scalar;
 
-    explicit CarriedAlong(Stepper stepper) : stepper_(std::move(stepper)) {}
+    explicit CarriedAlong(const Stepper& stepper) : stepper_(stepper) {}
 
     /// Advances x by the stepper, and the directions along with it. Unless the status is ok, all
     /// have kept their bits. Allocates where there are more directions than ever before.

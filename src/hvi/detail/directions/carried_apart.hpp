@@ -63,7 +63,7 @@ class CarriedApart {
 public:
     using Scalar = typename Stepper::Scalar;
 
-    explicit CarriedApart(Stepper stepper) : idle_(std::move(stepper)) {}
+    explicit CarriedApart(const Stepper& stepper) : idle_(stepper) {}
 
     /// See CarriedAlong.
     template <class OfState, class Directions>
