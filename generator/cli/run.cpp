@@ -313,12 +313,14 @@ void run(const RunOptions& options) {
         if (options.files.contains(RunFile::table)) files.keep_table(simulation, options.format);
         return;
     }
-    const MonitorFindings found = measured(wished.monitors, simulation, steps.size, runner);
+    const MonitorFindings found =
+        measured(wished.monitors, simulation, wished.events, steps.size, runner);
     const std::string summary = hvi::gen::summary(wished, simulation, found);
     if (options.files.contains(RunFile::table)) {
         files.keep_tangent(found.directions.entries);
         files.keep_sensitivities(
             table_of_sensitivities(wished.monitors, found, column_names(subject)));
+        files.keep_section_map(section_table(found.directions, column_names(subject)));
         files.keep_frequencies(simulation.frequencies);
     }
     files.keep(subject, steps, simulation, tables, options.files, summary);

@@ -32,6 +32,7 @@ const char* table_name(TableFormat format) {
 }
 constexpr const char* tangent_name = "tangent.csv";
 constexpr const char* sensitivity_name = "sensitivity.csv";
+constexpr const char* section_map_name = "section.csv";
 constexpr const char* frequencies_name = "frequencies.csv";
 constexpr const char* events_name = "events.csv";
 constexpr const char* picture_name = "picture.svg";
@@ -154,6 +155,11 @@ void RunFiles::keep_tangent(const std::vector<double>& entries) const {
 void RunFiles::keep_sensitivities(const std::string& table) const {
     if (!directory_ || table.empty()) return;
     write_file(directory_->path() / sensitivity_name, table);
+}
+
+void RunFiles::keep_section_map(const std::string& table) const {
+    if (!directory_ || table.empty()) return;
+    write_file(directory_->path() / section_map_name, table);
 }
 
 void RunFiles::keep_frequencies(const std::vector<ColumnFrequencies>& found) const {

@@ -43,6 +43,8 @@ public:
     void keep_tangent(const std::vector<double>& entries) const;
     /// `sensitivity.csv`, unless it is empty.
     void keep_sensitivities(const std::string& table) const;
+    /// `section.csv`, unless it is empty.
+    void keep_section_map(const std::string& table) const;
 
     /// Keeps the frequencies of columns, where there are some. Throws EnvironmentError.
     void keep_frequencies(const std::vector<ColumnFrequencies>& found) const;

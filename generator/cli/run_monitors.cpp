@@ -8,6 +8,8 @@
 #include <string_view>
 
 #include "generator/drive/table.hpp"
+#include "generator/hamiltonian/time_scale.hpp"
+#include "generator/interpret/event_program.hpp"
 #include "generator/pipeline/passes.hpp"
 #include "generator/read/nearest.hpp"
 #include "generator/read/parse.hpp"
@@ -56,6 +58,19 @@ void check_count_of_directions(const Scene& scene, const RunOptions& options) {
         scene.place, "--lyapunov, --megno and --sali take one or two directions");
 }
 
+/// Throws InputError where sums stay loops. Precondition: the scene calls no function of the
+/// user's.
+FindMotion motion_of_scaled_time(const Scene& scene, const SceneStepper& stepper,
+                                 std::string_view what) {
+    if (!stepper.system.is_written_out())
+        throw InputError(fmt::format("{} is not built for a scale of the time where sums stay "
+                                     "loops",
+                                     what),
+                         scene.scale->place,
+                         "--unroll yes writes the sums out, up to 256 degrees of freedom");
+    return driven_motion(stepper.system, with_time_scale(unrolled(scene)));
+}
+
 /// Throws InputError where the scene has no such parameter that is a number of a program.
 void check_parameter(const Scene& scene, const SceneStepper& stepper, const std::string& name,
                      const Place& place) {
@@ -102,9 +117,9 @@ private:
     Pace pace_;
 };
 
-/// The size of the step that led to the event at which the run ended; 0 where it ended at a step.
-double rest_of(const Simulation& run, double h) {
-    return run.stopped_by ? run.t - static_cast<double>(run.steps) * h : 0;
+const DrivenEvent& event_named(const std::string& name, const EventWishes& events) {
+    return *std::find_if(events.events.begin(), events.events.end(),
+                         [&](const DrivenEvent& event) { return event.name == name; });
 }
 
 using Lines = std::vector<std::pair<std::string, std::string>>;
@@ -137,6 +152,30 @@ void add_directions(const TangentFindings& found, Lines& lines) {
         lines.emplace_back("directions", "not carried to the end: " + found.fault);
 }
 
+/// Says what there is of the event that ended the run. NOTE: that it is not built is no fault, as
+/// the matrix is there.
+void add_event(const MonitorFindings& found, Lines& lines) {
+    const TangentFindings& directions = found.directions;
+    if (!found.event || !directions.fault.empty()) return;
+    const std::string& name = found.event->name;
+    if (!found.event->crossing) {
+        lines.emplace_back("section", "its derivatives are not built for a Lagrangian and where "
+                                      "sums stay loops");
+        return;
+    }
+    if (directions.event_time.empty()) {
+        lines.emplace_back("section", fmt::format("the motion touches `{}`: its time has no "
+                                                  "derivative by the start",
+                                                  name));
+        return;
+    }
+    lines.emplace_back("section", fmt::format("derivatives of the time and the state of `{}` by "
+                                              "the start are in section.csv",
+                                              name));
+    if (!directions.return_multipliers.empty())
+        lines.emplace_back("return map", text_of(directions.return_multipliers));
+}
+
 std::string said_of(const ShadowFindings& found) {
     if (!found.fault.empty()) return "not measured to the end: " + found.fault;
     return fmt::format("{:.15g}, largest change {:.2e}, at the end {:.2e}; differences err by some "
@@ -167,6 +206,8 @@ Monitors wished_monitors(const MethodAndScene& both, const SceneStepper& stepper
         check_steps(both.scene, what);
         check_count_of_directions(both.scene, options);
         result.tangent = tangent_stepper(both.method, both.scene, wishes, what);
+        if (both.scene.scale)
+            result.tangents.motion = motion_of_scaled_time(both.scene, stepper, what);
     }
     if (options.sensitivity)
         result.sensitivities = sensitivities_of(both, stepper, wishes, options.sensitivity);
@@ -194,14 +235,19 @@ void begin(const Monitors& monitors, Runner& runner) {
     for (const Sensitivity& each : monitors.sensitivities) runner.begin(each.stepper);
 }
 
-MonitorFindings measured(const Monitors& monitors, const Simulation& run, double h,
-                         Runner& runner) {
+MonitorFindings measured(const Monitors& monitors, const Simulation& run, const EventWishes& events,
+                         double h, Runner& runner) {
     MonitorFindings found;
-    if (monitors.tangent && (run.steps > 0 || run.stopped_by)) {
+    if (monitors.tangent && (run.steps > 0 || run.rest != 0 || run.stopped_by)) {
         TangentWishes wishes = monitors.tangents;
         wishes.h = h;
         wishes.steps = run.steps;
-        wishes.rest = rest_of(run, h);
+        wishes.rest = run.rest;
+        wishes.t = run.t;
+        if (run.stopped_by && wishes.matrix) {
+            found.event = event_named(*run.stopped_by, events);
+            wishes.crossing = found.event->crossing;
+        }
         Shown shown(run, "steps with directions");
         found.directions = find_tangents(runner.target(*monitors.tangent), wishes,
                                          [&](double part) { shown(part); });
@@ -210,7 +256,7 @@ MonitorFindings measured(const Monitors& monitors, const Simulation& run, double
         Shown shown(run, "steps with derivatives by a parameter");
         found.sensitivities.push_back(
             find_tangents(runner.target(each.stepper),
-                          {.h = h, .steps = run.steps, .rest = rest_of(run, h), .own = true},
+                          {.h = h, .steps = run.steps, .rest = run.rest, .own = true},
                           [&](double part) { shown(part); }));
     }
     if (monitors.shadow && run.steps >= ShadowWishes::fewest_steps()) {
@@ -240,9 +286,24 @@ std::string table_of_sensitivities(const Monitors& monitors, const MonitorFindin
     return text + "\n";
 }
 
+std::string section_table(const TangentFindings& found, const std::vector<NameBox>& names) {
+    const std::size_t count = found.event_time.size();
+    if (count == 0) return "";
+    std::string text = "of";
+    for (std::size_t k = 0; k < count; ++k) text += "," + text_of_cell(name_at(names, k));
+    text += fmt::format("\nt,{}\n", fmt::join(found.event_time, ","));
+    for (std::size_t row = 0; row < count; ++row) {
+        const auto begin = found.event_state.begin() + static_cast<std::ptrdiff_t>(row * count);
+        text += fmt::format("{},{}\n", text_of_cell(name_at(names, row)),
+                            fmt::join(begin, begin + static_cast<std::ptrdiff_t>(count), ","));
+    }
+    return text;
+}
+
 Lines lines_of(const Monitors& monitors, const MonitorFindings& found) {
     Lines lines;
     add_directions(found.directions, lines);
+    add_event(found, lines);
     if (!monitors.sensitivities.empty())
         lines.emplace_back("sensitivity",
                            fmt::format("derivatives by {} parameter{} are in sensitivity.csv",

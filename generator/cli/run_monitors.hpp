@@ -10,6 +10,7 @@
 #include "generator/cli/method.hpp"
 #include "generator/cli/options.hpp"
 #include "generator/cli/runner.hpp"
+#include "generator/drive/trajectory.hpp"
 #include "generator/simulate/balance.hpp"
 #include "generator/simulate/shadow.hpp"
 #include "generator/simulate/tangents.hpp"
@@ -29,7 +30,7 @@ struct Monitors {
     std::vector<Sensitivity> sensitivities = {};
     std::optional<SceneStepper> shadow = {};   ///< of the modified Hamiltonian, likewise
     std::optional<SceneStepper> balance = {};  ///< of the energy, where H depends on the time
-    std::size_t degrees = 0;                  ///< of freedom, of the scene; where there is one
+    std::size_t degrees = 0;                   ///< of freedom, of the scene; where there is one
 };
 
 /// Throws InputError for what is not built for the scene, whose stepper this is.
@@ -42,6 +43,7 @@ struct MonitorFindings {
     std::vector<TangentFindings> sensitivities = {};  ///< of each parameter
     std::optional<ShadowFindings> shadow = {};        ///< nothing where there were too few steps
     std::optional<BalanceFindings> balance = {};
+    std::optional<DrivenEvent> event = {};  ///< that ended the run, where there is the matrix
 
     /// Why one of them has not come to the end of the run; empty where all have.
     [[nodiscard]] std::string fault() const;
@@ -51,8 +53,13 @@ struct MonitorFindings {
 void begin(const Monitors& monitors, Runner& runner);
 
 /// Measures along the steps that the run has taken, of size h. Throws as find_tangents() does.
-[[nodiscard]] MonitorFindings measured(const Monitors& monitors, const Simulation& run, double h,
-                                       Runner& runner);
+[[nodiscard]] MonitorFindings measured(const Monitors& monitors, const Simulation& run,
+                                       const EventWishes& events, double h, Runner& runner);
+
+/// The table of derivatives of the event that ended the run, its time and its state, by the start,
+/// whose variables have names in these boxes; empty where there are none.
+[[nodiscard]] std::string section_table(const TangentFindings& found,
+                                        const std::vector<NameBox>& names);
 
 /// The table of derivatives of the end by parameters, with names in these boxes, of which variables
 /// are the first; empty where none were wished for.

@@ -26,12 +26,39 @@ double norm_of(const DirectionVector& v) {
 
 std::size_t degrees_of_problem() { return DrivenProblem::initial().q.size() / 2; }
 
-Directions::Directions(const std::vector<DirectionVector>& start) {
-    for (const DirectionVector& v : start) {
+DirectionVector DirectionsAtOneTime::without_time(const DirectionVector& v) const {
+    const double part = v[n_ - 1] / motion_[n_ - 1];
+    DirectionVector result = v;
+    for (std::size_t k = 0; k < result.size(); ++k) result[k] -= motion_[k] * part;
+    return of_q_and_p(result);
+}
+
+/// NOTE: the motion is g (dH/dp, 1, -dH/dq, -dH/dt), where g is how fast the time goes.
+DirectionVector DirectionsAtOneTime::with_time(const DirectionVector& v) const {
+    const std::size_t n = n_ - 1;
+    DirectionVector result(v.begin(), v.begin() + static_cast<std::ptrdiff_t>(n));
+    result.push_back(0);
+    result.insert(result.end(), v.begin() + static_cast<std::ptrdiff_t>(n), v.end());
+    double change = 0;
+    for (std::size_t k = 0; k < n; ++k) change += motion_[k] * v[n + k] - motion_[n_ + k] * v[k];
+    result.push_back(-change / motion_[n]);
+    return result;
+}
+
+DirectionVector DirectionsAtOneTime::of_q_and_p(const DirectionVector& v) {
+    DirectionVector result = v;
+    result.erase(result.begin() + static_cast<std::ptrdiff_t>(v.size() / 2 - 1));
+    result.pop_back();
+    return result;
+}
+
+Directions::Directions(const std::vector<DirectionVector>& start, FindMotion motion)
+    : motion_(std::move(motion)) {
+    for (std::size_t k = 0; k < start.size(); ++k) {
         steppers_.push_back(DrivenProblem::stepper());
         states_.push_back(steppers_.back().initial());
-        set(states_.size() - 1, v);
     }
+    set(start);
 }
 
 Status Directions::step(double h) {
@@ -55,11 +82,41 @@ DirectionVector direction_of(const DrivenStepper::State& x) {
     return v;
 }
 
-void Directions::set(std::size_t k, const DirectionVector& v) {
+std::vector<DirectionVector> Directions::carried() const {
+    std::vector<DirectionVector> result;
+    for (const DrivenStepper::State& x : states_) result.push_back(direction_of(x));
+    return result;
+}
+
+std::vector<DirectionVector> Directions::all() const {
+    std::vector<DirectionVector> result = carried();
+    if (!motion_) return result;
+    const DirectionsAtOneTime at_one_time(motion_(state()));
+    for (DirectionVector& v : result) v = at_one_time.without_time(v);
+    return result;
+}
+
+void Directions::set(const std::vector<DirectionVector>& all) {
+    std::vector<DirectionVector> whole = all;
+    if (motion_) {
+        const DirectionsAtOneTime at_one_time(motion_(state()));
+        for (DirectionVector& v : whole) v = at_one_time.with_time(v);
+    }
     const auto n = static_cast<std::ptrdiff_t>(degrees());
-    DrivenStepper::State& x = states_[k];
-    std::copy(v.begin(), v.begin() + n, x.q.begin() + n);
-    std::copy(v.begin() + n, v.end(), x.p.begin());
+    for (std::size_t k = 0; k < whole.size(); ++k) {
+        DrivenStepper::State& x = states_[k];
+        std::copy(whole[k].begin(), whole[k].begin() + n, x.q.begin() + n);
+        std::copy(whole[k].begin() + n, whole[k].end(), x.p.begin());
+    }
+}
+
+DrivenStepper::State Directions::state() const {
+    const auto n = static_cast<std::ptrdiff_t>(degrees());
+    const DrivenStepper::State& both = states_.front();
+    DrivenStepper::State x;
+    x.q.assign(both.q.begin(), both.q.begin() + n);
+    x.p.assign(both.p.begin() + n, both.p.end());
+    return x;
 }
 
 std::vector<double> orthonormalize(std::vector<DirectionVector>& all) {

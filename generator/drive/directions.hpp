@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
+#include <utility>
 #include <vector>
 
 #include "generator/drive/driven_stepper.hpp"
@@ -18,31 +20,65 @@ using DirectionVector = std::vector<double>;
 /// The direction in a state (q, dq), (dp, p).
 [[nodiscard]] DirectionVector direction_of(const DrivenStepper::State& x);
 
+/// The derivatives of a state along the motion: of coordinates, then of momenta.
+using FindMotion = std::function<std::vector<double>(const DrivenStepper::State&)>;
+
+/// Directions at one time, of states that have a time t and its momentum e as their last coordinate
+/// and momentum, as K = g (H + e) moves them. A direction that the motion carries along leads to
+/// states of another time; less so much of the motion f that dt = 0 it is
+///
+///     d - f dt/f_t,
+///
+/// and without its part e that of H. As H + e stays 0, such a direction of H has de = -dH.
+class DirectionsAtOneTime {
+public:
+    /// Looks at directions of a state that moves so.
+    explicit DirectionsAtOneTime(std::vector<double> motion)
+        : motion_(std::move(motion)), n_(motion_.size() / 2) {}
+
+    [[nodiscard]] DirectionVector without_time(const DirectionVector& v) const;
+    [[nodiscard]] DirectionVector with_time(const DirectionVector& v) const;
+
+    /// Leaves out the parts along the time and e.
+    [[nodiscard]] static DirectionVector of_q_and_p(const DirectionVector& v);
+
+private:
+    std::vector<double> motion_;
+    std::size_t n_;  ///< coordinates, the time included
+};
+
 /// Directions that begin where the scene does. Each has a stepper of its own, for states (q, dq),
 /// (dp, p), and all go along the motion of the first: where rounding makes another one of it, as
-/// stages are solved for, the others are put back.
+/// stages are solved for, the others are put back. Of scaled time directions are those of H, at
+/// one time.
 class Directions {
 public:
-    explicit Directions(const std::vector<DirectionVector>& start);
+    /// `motion` is that of scaled time, and nothing where time is not scaled.
+    Directions(const std::vector<DirectionVector>& start, FindMotion motion);
 
     /// Takes a step with all. Unless the status is ok, they are not to be used any more.
     [[nodiscard]] Status step(double h);
 
-    [[nodiscard]] std::size_t count() const { return states_.size(); }
-    /// Half the numbers of a direction.
-    [[nodiscard]] std::size_t degrees() const { return states_.front().q.size() / 2; }
+    [[nodiscard]] std::vector<DirectionVector> all() const;
+    /// Replaces all of them. Precondition: there are as many.
+    void set(const std::vector<DirectionVector>& all);
 
-    [[nodiscard]] DirectionVector direction(std::size_t k) const {
-        return direction_of(states_[k]);
-    }
-    void set(std::size_t k, const DirectionVector& v);
+    /// Directions as the steps carry them along, with parts along time and e, where there are.
+    [[nodiscard]] std::vector<DirectionVector> carried() const;
+
+    /// The state that all go along.
+    [[nodiscard]] DrivenStepper::State state() const;
 
 private:
+    /// Half the numbers of a direction that is carried along.
+    [[nodiscard]] std::size_t degrees() const { return states_.front().q.size() / 2; }
+
     std::vector<DrivenStepper> steppers_;
     std::vector<DrivenStepper::State> states_;
+    FindMotion motion_;
 };
 
-/// Degrees of freedom of DrivenProblem, whose states have directions.
+/// Degrees of freedom of DrivenProblem, whose states have directions; a scaled time is one of them.
 [[nodiscard]] std::size_t degrees_of_problem();
 
 /// Makes the directions orthonormal, one after the other (Gram and Schmidt, twice), and returns

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include <driver/answer.hpp>
@@ -14,6 +15,16 @@
 namespace hvi::gen {
 
 namespace {
+
+/// Numbers of a direction: a scaled time and its momentum are none of them.
+std::size_t numbers_of(const TangentWishes& wishes) {
+    return 2 * (degrees_of_problem() - (wishes.motion ? 1 : 0));
+}
+
+/// The time after steps: their number times h, or the scaled time.
+double time_of(const Directions& directions, const TangentWishes& wishes, std::int64_t steps) {
+    return wishes.motion ? directions.state().q.back() : wishes.h * static_cast<double>(steps);
+}
 
 /// A direction in which no component is small: there is some of each mode in it.
 DirectionVector usual_direction(std::size_t numbers, double seed) {
@@ -54,20 +65,23 @@ bool take(Directions& directions, const TangentWishes& wishes, ProgressOfSteps p
 /// The growth of one direction: ln |v| at each step, and MEGNO, in the form of a sum over steps
 /// (P. M. Cincotta, C. M. Giordano & C. Simo, Physica D 182, 2003, 151-178):
 ///
-///     Y_n = (2/n) sum_k k ln(|v_k|/|v_k-1|), and its mean over the steps.
+///     Y_n = (2/n) sum_k k ln(|v_k|/|v_k-1|), and its mean over the steps,
+///
+/// or with times t_k in the place of k.
 class Growth {
 public:
     explicit Growth(Directions& directions) : directions_(directions) {}
 
-    void see(std::int64_t step) {
-        const double norm = norm_of(directions_.direction(0));
+    /// Looks at a time, which may be counted in steps.
+    void see(double time) {
+        const double norm = norm_of(directions_.all().front());
         const double by = std::log(norm / before_);
         before_ = norm;
         sum_ += by;
-        weighted_ += static_cast<double>(step) * by;
-        const auto n = static_cast<double>(step);
-        of_megno_ += 2 * weighted_ / n;
-        mean_ = of_megno_ / n;
+        weighted_ += time * by;
+        of_megno_ += 2 * weighted_ / time * (time - time_);
+        mean_ = of_megno_ / time;
+        time_ = time;
         if (norm > 0x1p200 || norm < 0x1p-200) rescale(norm);
     }
 
@@ -77,24 +91,27 @@ public:
 private:
     /// By a power of two, so that nothing is rounded.
     void rescale(double norm) {
-        DirectionVector v = directions_.direction(0);
+        std::vector<DirectionVector> all = directions_.all();
         const int exponent = std::ilogb(norm);
-        for (double& value : v) value = std::scalbn(value, -exponent);
-        directions_.set(0, v);
+        for (double& value : all.front()) value = std::scalbn(value, -exponent);
+        directions_.set(all);
         before_ = std::scalbn(norm, -exponent);
     }
 
     Directions& directions_;
-    double before_ = 1, sum_ = 0, weighted_ = 0, of_megno_ = 0, mean_ = 0;
+    double before_ = 1, sum_ = 0, weighted_ = 0, of_megno_ = 0, mean_ = 0, time_ = 0;
 };
 
 bool tell_largest(const TangentWishes& wishes, ProgressOfSteps progress) {
     constexpr double golden = 0.6180339887498949;
-    Directions directions({usual_direction(2 * degrees_of_problem(), golden)});
+    Directions directions({usual_direction(numbers_of(wishes), golden)}, wishes.motion);
     Growth growth(directions);
-    if (!take(directions, wishes, progress, [&](std::int64_t step) { growth.see(step); }))
-        return false;
-    const double time = wishes.h * static_cast<double>(wishes.steps);
+    double time = 0;
+    const auto see = [&](std::int64_t step) {
+        time = time_of(directions, wishes, step);
+        growth.see(wishes.motion ? time : static_cast<double>(step));
+    };
+    if (!take(directions, wishes, progress, see)) return false;
     driver::say("lyapunov", growth.logarithm() / std::abs(time));
     driver::say("megno", growth.megno());
     return true;
@@ -104,21 +121,19 @@ bool tell_largest(const TangentWishes& wishes, ProgressOfSteps progress) {
 /// al., Meccanica 15, 1980, 9-30).
 bool tell_spectrum(const TangentWishes& wishes, ProgressOfSteps progress) {
     constexpr std::int64_t between = 10;
-    const std::size_t count = 2 * degrees_of_problem();
-    Directions directions(all_units(count));
+    const std::size_t count = numbers_of(wishes);
+    Directions directions(all_units(count), wishes.motion);
     std::vector<double> sums(count);
+    double time = 0;
     const auto see = [&](std::int64_t step) {
         if (step % between != 0 && step != wishes.steps) return;
-        std::vector<DirectionVector> all;
-        for (std::size_t k = 0; k < count; ++k) all.push_back(directions.direction(k));
+        std::vector<DirectionVector> all = directions.all();
         const std::vector<double> norms = orthonormalize(all);
-        for (std::size_t k = 0; k < count; ++k) {
-            sums[k] += std::log(norms[k]);
-            directions.set(k, all[k]);
-        }
+        for (std::size_t k = 0; k < count; ++k) sums[k] += std::log(norms[k]);
+        directions.set(all);
+        time = time_of(directions, wishes, step);
     };
     if (!take(directions, wishes, progress, see)) return false;
-    const double time = wishes.h * static_cast<double>(wishes.steps);
     for (const double sum : sums) driver::say("exponent", sum / std::abs(time));
     return true;
 }
@@ -127,14 +142,14 @@ bool tell_spectrum(const TangentWishes& wishes, ProgressOfSteps progress) {
 /// 2001, 10029-10043).
 bool tell_sali(const TangentWishes& wishes, ProgressOfSteps progress) {
     constexpr double golden = 0.6180339887498949, silver = 0.4142135623730951;
-    const std::size_t numbers = 2 * degrees_of_problem();
+    const std::size_t numbers = numbers_of(wishes);
     std::vector<DirectionVector> start{usual_direction(numbers, golden),
                                        usual_direction(numbers, silver)};
     for (std::size_t k = 0; k < numbers; k += 2) start[1][k] = -start[1][k];
-    Directions directions(start);
+    Directions directions(start, wishes.motion);
     double index = 0;
     const auto see = [&](std::int64_t) {
-        std::vector<DirectionVector> all{directions.direction(0), directions.direction(1)};
+        std::vector<DirectionVector> all = directions.all();
         for (DirectionVector& v : all) {
             const double norm = norm_of(v);
             for (double& value : v) value /= norm;
@@ -145,8 +160,7 @@ bool tell_sali(const TangentWishes& wishes, ProgressOfSteps progress) {
             difference[k] -= all[1][k];
         }
         index = std::min(norm_of(sum), norm_of(difference));
-        directions.set(0, all[0]);
-        directions.set(1, all[1]);
+        directions.set(all);
     };
     if (!take(directions, wishes, progress, see)) return false;
     driver::say("sali", index);
@@ -169,22 +183,56 @@ double symplecticity_error(const std::vector<DirectionVector>& columns) {
     return error / (largest * largest);
 }
 
+/// Tells a square matrix row by row.
+void tell_rows(const char* name, const std::vector<DirectionVector>& columns) {
+    for (std::size_t row = 0; row < columns.size(); ++row)
+        for (const DirectionVector& column : columns) driver::say(name, column[row]);
+}
+
+/// Tells the derivatives of the time of an event, and row by row those of its state.
+void tell_event(const EventDerivative& of) {
+    for (const double entry : of.time) driver::say("event_time", entry);
+    tell_rows("event_state", of.state);
+}
+
+/// The derivative of an event; in scaled time that of its time is a row of that of its state.
+std::optional<EventDerivative> derivative_of(const EventCrossing& crossing,
+                                             const Directions& directions,
+                                             const TangentWishes& wishes) {
+    std::optional<EventDerivative> result = event_derivative(crossing, directions.carried());
+    if (!result || !wishes.motion) return result;
+    for (std::size_t k = 0; k < result->state.size(); ++k) {
+        DirectionVector& column = result->state[k];
+        result->time[k] = column[column.size() / 2 - 1];
+        column = DirectionsAtOneTime::of_q_and_p(column);
+    }
+    return result;
+}
+
+/// Whether the surface of an event stays where it is as time goes on.
+bool stays(const EventCrossing& crossing, const TangentWishes& wishes) {
+    const std::vector<double>& by = crossing.by_state;
+    return crossing.by_time == 0 && (!wishes.motion || by[by.size() / 2 - 1] == 0);
+}
+
 bool tell_matrix(const TangentWishes& wishes, ProgressOfSteps progress) {
-    const std::size_t count = 2 * degrees_of_problem();
-    Directions directions(all_units(count));
+    Directions directions(all_units(numbers_of(wishes)), wishes.motion);
     if (!take(directions, wishes, progress, [](std::int64_t) {})) return false;
-    std::vector<DirectionVector> columns;
-    for (std::size_t k = 0; k < count; ++k) columns.push_back(directions.direction(k));
-    for (std::size_t row = 0; row < count; ++row)
-        for (const DirectionVector& column : columns) driver::say("entry", column[row]);
+    const std::vector<DirectionVector> columns = directions.all();
+    tell_rows("entry", columns);
     driver::say("form", symplecticity_error(columns));
+    if (!wishes.crossing) return true;
+    const EventCrossing crossing = wishes.crossing(directions.state(), wishes.t);
+    if (const auto of = derivative_of(crossing, directions, wishes)) tell_event(*of);
+    if (stays(crossing, wishes)) driver::say("surface", "stays");
     return true;
 }
 
 bool tell_own(const TangentWishes& wishes, ProgressOfSteps progress) {
-    Directions directions({direction_of(DrivenProblem::initial())});
+    Directions directions({direction_of(DrivenProblem::initial())}, {});
     if (!take(directions, wishes, progress, [](std::int64_t) {})) return false;
-    for (const double component : directions.direction(0)) driver::say("component", component);
+    const DirectionVector own = directions.all().front();
+    for (const double component : own) driver::say("component", component);
     return true;
 }
 

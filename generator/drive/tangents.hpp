@@ -5,25 +5,30 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "generator/drive/event_crossing.hpp"
+
 namespace hvi::gen {
 
 /// Measurements on directions.
 struct TangentWishes {
     double h = 0;
     std::int64_t steps = 0;
-    double rest = 0;        ///< the size of a shorter step behind them; 0 where there is none
-    bool matrix = false;    ///< the derivative of the state at the end by that at the start
-    bool largest = false;   ///< the largest Lyapunov exponent, and MEGNO
-    bool spectrum = false;  ///< all Lyapunov exponents
-    bool sali = false;      ///< the smaller alignment index
-    bool own = false;       ///< the direction that begins as the states of the problem do
+    double rest = 0;             ///< the size of a shorter step behind them; 0 where there is none
+    bool matrix = false;         ///< the derivative of the state at the end by that at the start
+    bool largest = false;        ///< the largest Lyapunov exponent, and MEGNO
+    bool spectrum = false;       ///< all Lyapunov exponents
+    bool sali = false;           ///< the smaller alignment index
+    bool own = false;            ///< the direction that begins as the states of the problem do
+    double t = 0;                ///< at the end
+    FindMotion motion = {};      ///< of scaled time; nothing where time is not scaled
+    FindCrossing crossing = {};  ///< of the event there, for its derivative beside the matrix
 
     [[nodiscard]] bool any() const { return matrix || largest || spectrum || sali || own; }
 };
 
 /// Takes the steps of DrivenProblem, whose states are those of with_tangent(), and says what was
-/// measured. Norms are of numbers as they stand in q and p, whatever their units. The status of its
-/// end is 0 also where a step failed.
+/// measured. Of scaled time directions are those at one time. Norms are of numbers as they stand in
+/// q and p, whatever their units. The status of its end is 0 also where a step failed.
 [[nodiscard]] int take_tangents(const TangentWishes& wishes);
 
 }  // namespace hvi::gen

@@ -44,7 +44,8 @@ public:
             const Rows::Value value_there = [&](std::size_t number) {
                 return value(x, at_output_.values(), number);
             };
-            tables_.front().write(t, value_there);
+            for (Rows& table : tables_)
+                if (table.has_times()) table.write(t, value_there);
             samples_.see_row(value_there);
         });
     }
@@ -333,6 +334,7 @@ private:
     void tell() const {
         tell_end();
         driver::say("t", run_.t);
+        driver::say("rest", run_.rest);
         driver::say("steps", taken());
         driver::say("rows", tables_.front().count());
         driver::say("iterations", run_.run.iterations);

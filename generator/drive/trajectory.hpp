@@ -16,6 +16,7 @@
 
 #include "generator/drive/checkpoint.hpp"
 #include "generator/drive/driven_stepper.hpp"
+#include "generator/drive/event_crossing.hpp"
 #include "generator/drive/row_file.hpp"
 #include "generator/read/reductions.hpp"
 #include "generator/read/table_columns.hpp"
@@ -41,6 +42,7 @@ struct DrivenEvent {
     std::int64_t stop = 0;       ///< the run ends at this one; 0 for none
     std::function<void(DrivenStepper::State&, double)> set = {};  ///< what jumps; or nothing
     std::string name = {};
+    FindCrossing crossing = {};  ///< its derivatives; nothing where they are not built
 };
 
 /// Events, and their table.

@@ -71,12 +71,23 @@ private:
 /// An event as tapes of a row.
 struct EventTapes {
     Tape zero;
-    std::optional<Tape> slope, set, cooldown, period;
+    std::optional<Tape> slope, crossing, set, cooldown, period;
 };
 
-EventTapes tapes_of(const LoweredEvent& event, EventRow& row) {
-    EventTapes tapes{row.tape({event.zero}), {}, {}, {}, {}};
-    if (event.slope) tapes.slope = row.tape({*event.slope});
+/// Derivatives at an event: by the time, by the variables, and those along the motion.
+Tape tape_of_crossing(const LoweredEvent& event, const std::vector<Scaled>& motion, EventRow& row) {
+    std::vector<Scaled> values{event.by_time};
+    values.insert(values.end(), event.by_variables.begin(), event.by_variables.end());
+    values.insert(values.end(), motion.begin(), motion.end());
+    return row.tape(std::move(values));
+}
+
+EventTapes tapes_of(const LoweredEvents& events, const LoweredEvent& event, EventRow& row) {
+    EventTapes tapes{row.tape({event.zero}), {}, {}, {}, {}, {}};
+    if (event.slope) {
+        tapes.slope = row.tape({*event.slope});
+        tapes.crossing = tape_of_crossing(event, events.motion, row);
+    }
     if (event.cooldown) tapes.cooldown = row.tape({event.cooldown->value});
     if (event.period) tapes.period = row.tape({event.period->value});
     if (event.set.empty()) return tapes;
@@ -101,6 +112,18 @@ void jump(State& x, const std::vector<LoweredJump>& set, const Tape& tape, const
         const std::size_t variable = set[k].variable;
         (variable < n ? x.q[variable] : x.p[variable - n]) = row.result(tape, k);
     }
+}
+
+/// NOTE: there are as many variables as derivatives along the motion.
+EventCrossing crossing_at(const Tape& tape, const EventRow& row) {
+    EventCrossing result;
+    result.by_time = row.result(tape);
+    const std::size_t count = (tape.results().size() - 1) / 2;
+    for (std::size_t k = 0; k < count; ++k) {
+        result.by_state.push_back(row.result(tape, 1 + k));
+        result.motion.push_back(row.result(tape, 1 + count + k));
+    }
+    return result;
 }
 
 /// 0 for none.
@@ -129,6 +152,11 @@ DrivenEvent driven(const LoweredEvent& event, EventTapes made,
     result.event.zero = function(tapes->zero);
     result.event.direction = direction_of(event.direction);
     if (tapes->slope) result.event.slope = function(*tapes->slope);
+    if (tapes->crossing)
+        result.crossing = [row, tapes](const State& x, double t) {
+            row->run(*tapes->crossing, x, t);
+            return crossing_at(*tapes->crossing, *row);
+        };
     result.event.cooldown = time_span(event.cooldown, tapes->cooldown, *row);
     result.event.period = time_span(event.period, tapes->period, *row);
     if (tapes->set)
@@ -142,7 +170,7 @@ DrivenEvent driven(const LoweredEvent& event, EventTapes made,
 /// The events of a row whose parameters have their values.
 std::vector<DrivenEvent> driven(const LoweredEvents& events, const std::shared_ptr<EventRow>& row) {
     std::vector<EventTapes> tapes;
-    for (const LoweredEvent& event : events.events) tapes.push_back(tapes_of(event, *row));
+    for (const LoweredEvent& event : events.events) tapes.push_back(tapes_of(events, event, *row));
     row->close();
     std::vector<DrivenEvent> result;
     for (std::size_t k = 0; k < tapes.size(); ++k)
@@ -159,6 +187,22 @@ std::vector<DrivenEvent> driven_events(const System& system, const WrittenOutSce
     const auto row = std::make_shared<EventRow>(events);
     row->set(of_modules.system.parameters, of_modules.numbers);
     return driven(events, row);
+}
+
+FindMotion driven_motion(const System& system, const WrittenOutScene& scene) {
+    const DrivenSystem of_modules = driven_system(system);
+    const LoweredEvents lowered = lowered_events(of_modules.system, scene);
+    const auto row = std::make_shared<EventRow>(lowered);
+    row->set(of_modules.system.parameters, of_modules.numbers);
+    const auto tape = std::make_shared<const Tape>(row->tape(lowered.motion));
+    row->close();
+    return [row, tape](const State& x) {
+        row->run(*tape, x, 0);
+        std::vector<double> result;
+        for (std::size_t k = 0; k < tape->results().size(); ++k)
+            result.push_back(row->result(*tape, k));
+        return result;
+    };
 }
 
 std::vector<DrivenEvent> driven_events(const Scene& scene) {

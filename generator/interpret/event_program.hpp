@@ -16,6 +16,10 @@ namespace hvi::gen {
 [[nodiscard]] std::vector<DrivenEvent> driven_events(const System& system,
                                                      const WrittenOutScene& scene);
 
+/// The motion of a Hamiltonian system without rotations and functions of the user's own, for the
+/// parameters that it has. Preconditions: as of lowered_events(), and the time is a coordinate.
+[[nodiscard]] FindMotion driven_motion(const System& system, const WrittenOutScene& scene);
+
 /// The events of a scene whose sums stay loops. Throws in the same cases.
 [[nodiscard]] std::vector<DrivenEvent> driven_events(const Scene& scene);
 

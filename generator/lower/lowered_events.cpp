@@ -18,6 +18,7 @@ public:
         result_.graph = system.graph;
         result_.time = system.time;
         name_variables();
+        find_motion();
         for (const SystemParameter& parameter : system.parameters) {
             symbols_[parameter.name] = {{1, 1}, parameter.node};
         }
@@ -78,7 +79,7 @@ private:
                             .stop = event.stop,
                             .is_kink = event.is_kink,
                             .zero = value(event.zero)};
-        result.slope = slope(result.zero);
+        differentiate(result);
         if (system_.side == Side::lagrangian && !event.set.empty()) {
             refuse_set_of_L(event.set.front().place);
         }
@@ -102,24 +103,35 @@ private:
         return {names_.size() - 1, result_.graph.times({-1, 1}, energy)};
     }
 
-    /// {g, H} + dg/dt.
-    [[nodiscard]] std::optional<Scaled> slope(const Scaled& zero) {
+    /// NOTE: functions of the user's own have no derivatives here, and rotations have no numbers
+    /// that H is differentiated by.
+    void find_motion() {
         const bool is_plain = system_.side == Side::hamiltonian && rotations_of(system_) == 0 &&
                               system_.own_headers.empty();
-        if (!is_plain) { return {}; }
+        if (!is_plain) { return; }
+        result_.motion = by_conjugates(system_);
+        for (const Scaled& slope : by_coordinates(system_)) {
+            result_.motion.push_back(result_.graph.times({-1, 1}, slope));
+        }
+    }
+
+    /// Adds the derivatives of `zero`: along the motion {g, H} + dg/dt.
+    void differentiate(LoweredEvent& event) {
+        if (result_.motion.empty()) { return; }
         Graph& graph = result_.graph;
         std::vector<Node> inputs = nodes_;
         if (result_.time) { inputs.push_back(*result_.time); }
-        const std::vector<Scaled> by = gradient(graph, zero, inputs);
-        const std::vector<Scaled> H_q = by_coordinates(system_), H_p = by_conjugates(system_);
-        const std::size_t n = H_q.size();
-        std::vector<Scaled> terms;
-        for (std::size_t k = 0; k < n; ++k) {
-            terms.push_back(graph.product(by[k], H_p[k]));
-            terms.push_back(graph.times({-1, 1}, graph.product(by[n + k], H_q[k])));
+        event.by_variables = gradient(graph, event.zero, inputs);
+        if (result_.time) {
+            event.by_time = event.by_variables.back();
+            event.by_variables.pop_back();
         }
-        if (result_.time) { terms.push_back(by.back()); }
-        return graph.sum(std::move(terms));
+        std::vector<Scaled> terms;
+        for (std::size_t k = 0; k < nodes_.size(); ++k) {
+            terms.push_back(graph.product(event.by_variables[k], result_.motion[k]));
+        }
+        terms.push_back(event.by_time);
+        event.slope = graph.sum(std::move(terms));
     }
 
     const System& system_;

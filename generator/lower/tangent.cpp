@@ -236,7 +236,7 @@ private:
 }  // namespace
 
 System with_tangent(System system) {
-    HVI_CHECK(rotations_of(system) == 0 && !system.scaled);
+    HVI_CHECK(rotations_of(system) == 0);
     return TangentOfSystem(std::move(system))();
 }
 

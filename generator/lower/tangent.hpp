@@ -14,12 +14,13 @@ namespace hvi::gen {
 /// dv. A step of a symplectic partitioned Runge-Kutta method for K is the step for H and, of
 /// directions, exactly its derivative, since these methods commute with differentiation. Directions
 /// begin at 0, and the energy is H. Where sums stay loops those of K are sums over the same loops.
-/// Precondition: there are neither rotations nor scaled time.
+/// In scaled time a direction has a part along the time, and one along its momentum.
+/// Precondition: there are no rotations.
 [[nodiscard]] System with_tangent(System system);
 
 /// The system of K + dH/da for a parameter a: with it the direction is the derivative of the motion
-/// by a, and begins as that of the start. Precondition: as above, and a is a parameter of the
-/// system.
+/// by a, and begins as that of the start. Precondition: as above, time is not scaled, and a is a
+/// parameter of the system.
 [[nodiscard]] System with_sensitivity(System system, const std::string& parameter);
 
 }  // namespace hvi::gen

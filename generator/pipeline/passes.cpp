@@ -16,12 +16,17 @@ namespace hvi::gen {
 namespace {
 
 /// Throws InputError for what no pass takes that makes another function of a system.
-void check_scene(const Scene& scene, std::string_view what) {
+void check_motion(const Scene& scene, std::string_view what) {
     refuse_rotations(scene, what);
-    refuse_scale(scene, what);
     if (!scene.own.headers.empty())
         throw InputError(fmt::format("{} is not built for functions of your own", what),
                          whole(scene.function.source));
+}
+
+/// Throws InputError for what no pass takes that looks at times.
+void check_scene(const Scene& scene, std::string_view what) {
+    refuse_scale(scene, what);
+    check_motion(scene, what);
 }
 
 /// The stepper of what a pass makes of the scene, with loops or without.
@@ -82,7 +87,7 @@ void check_directions(const Scene& scene, std::string_view what) { check_scene(s
 
 SceneStepper tangent_stepper(const Method& method, const Scene& scene, const StepperWishes& wishes,
                              std::string_view what) {
-    check_scene(scene, what);
+    check_motion(scene, what);
     return stepper_after(with_tangent, method, scene, wishes);
 }
 

@@ -279,6 +279,7 @@ Simulation run_simulation(const Target& program, const RunSubject& subject,
     run.evaluations = answers.integer("evaluations");
     run.seconds_of_step = answers.number("seconds_of_step");
     run.t = answers.number("t");
+    run.rest = answers.number("rest");
     for (const double count : answers.numbers("events", wishes.events.events.size()))
         run.events.push_back(static_cast<std::int64_t>(count));
     if (const std::string fault = fault_of_event(answers, wishes.events); !fault.empty())

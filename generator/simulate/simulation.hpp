@@ -49,6 +49,7 @@ struct Simulation {
     std::int64_t evaluations = 0;  ///< of dH/dq
     double seconds_of_step = 0;    ///< where nobody looks on; 0 where no step was taken
     double t = 0;                  ///< at the end
+    double rest = 0;               ///< the short step to the event or scaled time that ended it
     std::vector<Conserved> conserved;
     double energy_of_motion = 0;  ///< mean size of H(q, p) - H(q, 0); 0 where it is not known
     std::vector<std::int64_t> events = {};  ///< how many there were of each

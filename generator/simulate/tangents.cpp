@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/simulate/tangents.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+
+#include <Eigen/Eigenvalues>
 
 namespace hvi::gen {
 
@@ -30,6 +31,16 @@ std::vector<std::complex<double>> eigenvalues(const std::vector<double>& entries
     return result;
 }
 
+/// NOTE: no state of the event leaves its surface, so that one eigenvalue is 0: it belongs to
+/// directions that leave the surface at the start.
+void add_event(const Answers& answers, TangentFindings& found) {
+    found.event_time = answers.numbers("event_time");
+    found.event_state = answers.numbers("event_state");
+    if (found.event_time.empty() || !answers.has("surface")) return;
+    found.return_multipliers = eigenvalues(found.event_state);
+    if (!found.return_multipliers.empty()) found.return_multipliers.pop_back();
+}
+
 }  // namespace
 
 TangentFindings find_tangents(const Target& target, const TangentWishes& wishes,
@@ -49,6 +60,7 @@ TangentFindings find_tangents(const Target& target, const TangentWishes& wishes,
     found.own = answers.numbers("component");
     if (answers.has("form")) found.form = answers.number("form");
     if (!found.entries.empty()) found.multipliers = eigenvalues(found.entries);
+    add_event(answers, found);
     return found;
 }
 

@@ -22,7 +22,13 @@ struct TangentFindings {
     double form = 0;                ///< how far it is from symplectic
     /// Eigenvalues of the derivative, the largest first: the multipliers of an orbit that closes.
     std::vector<std::complex<double>> multipliers = {};
-    std::string fault = {};         ///< why a step failed; empty where none did
+    /// Derivatives by the start of the time of an event at the end, and row by row of its state;
+    /// empty where the motion does not cross its surface.
+    std::vector<double> event_time = {}, event_state = {};
+    /// Multipliers of the return map to the surface of the event, the largest first, where that
+    /// does not move: eigenvalues of the derivative of its state but for one, which is 0.
+    std::vector<std::complex<double>> return_multipliers = {};
+    std::string fault = {};  ///< why a step failed; empty where none did
 };
 
 /// Throws as ask() does. Precondition: the target has a stepper of tangent_stepper().

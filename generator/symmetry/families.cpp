@@ -436,10 +436,10 @@ private:
         return maps;
     }
 
-    /// NOTE: turned centres of mass are products of sums, which no run computes.
+    /// NOTE: turned centres of mass, which come behind the fields, are products of sums: no
+    /// invariant is compared with them, so that none says them.
     void set_said(SceneSymmetries& result, const std::vector<FamilyField>& fields,
                   const std::vector<SummedUp>& invariants) const {
-        for (ConservedQuantity& map : result.momentum_maps) map.is_said = true;
         for (std::size_t k = 0; k < fields.size(); ++k) {
             const std::set<std::size_t> shapes = shapes_in(fields[k]);
             std::vector<Expression> said;

@@ -10,9 +10,9 @@ namespace {
 // ---- the table ----
 
 /// F with the rows of equal stages, which have one slope, added up.
-NumberMatrix of_stages(const Step& step, const Curve& curve) {
+NumberMatrix of_stages(const std::vector<StageValue>& values, const Curve& curve) {
     NumberMatrix result;
-    for (const StageValue& value : step.momenta) {
+    for (const StageValue& value : values) {
         NumberVector sum(curve.F.front().size());
         for (const std::size_t stage : value.stages) {
             for (std::size_t k = 0; k < sum.size(); ++k) { sum[k] = sum[k] + curve.F[stage][k]; }
@@ -22,19 +22,30 @@ NumberMatrix of_stages(const Step& step, const Curve& curve) {
     return result;
 }
 
-/// Of Lq_j = h b_j dH/dp(Q_j, P_j): F_jk/b_j.
-NumberMatrix of_velocities(const Step& step, const Curve& curve) {
-    NumberMatrix result = of_stages(step, curve);
-    for (std::size_t j = 0; j < result.size(); ++j) {
-        for (Number& entry : result[j]) { entry = entry / step.momenta[j].weight; }
+NumberMatrix without_weights(NumberMatrix F, const std::vector<StageValue>& values) {
+    for (std::size_t j = 0; j < F.size(); ++j) {
+        for (Number& entry : F[j]) { entry = entry / values[j].weight; }
     }
-    return result;
+    return F;
+}
+
+/// Slopes of Lq_j = h b_j dH/dp(Q_j, P_j): F_jk/b_j.
+NumberMatrix of_velocities(const Step& step, const Curve& curve) {
+    return without_weights(of_stages(step.momenta, curve), step.momenta);
+}
+
+/// Slopes of Lp_i = -h b_i dH/dq(Q_i, P_i): F_ik/b_i. NOTE: with more nodes than functions F has a
+/// row for each node that has a weight, as there is a position for each.
+NumberMatrix of_kicks(const Step& step, const Curve& curve) {
+    const bool is_general =
+        curve.of_forces.has_value() || std::holds_alternative<GalerkinStep>(step.form);
+    return without_weights(is_general ? curve.F : of_stages(step.positions, curve), step.positions);
 }
 
 /// Of W_i, with h dH/dp(P_j) = h v + sum_i mt_ji W_i: sum_j mt_ji F_jk. NOTE: h v comes with
 /// sum_j F_jk = 0, as the phi_j add up to 1, the curve of which is its chord.
 NumberMatrix of_forces(const Step& step, const Curve& curve) {
-    const NumberMatrix F = of_stages(step, curve);
+    const NumberMatrix F = of_stages(step.momenta, curve);
     NumberMatrix result(step.positions.size(), NumberVector(F.front().size()));
     for (std::size_t i = 0; i < result.size(); ++i) {
         for (std::size_t j = 0; j < F.size(); ++j) {
@@ -77,6 +88,9 @@ NumberMatrix of_slopes(const Step& step, const Curve& curve) {
     }
     return curve.of_forces ? of_nodes(step, *curve.of_forces) : of_forces(step, curve);
 }
+
+/// NOTE: momenta of bodies that turn are none of a vector space.
+bool has_momenta(const Step& step) { return !std::holds_alternative<ChartStep>(step.form); }
 
 bool is_straight(const Curve& curve) { return curve.F.front().empty(); }
 
@@ -130,7 +144,7 @@ std::string antiderivatives(const Curve& curve, std::string_view library) {
     return writer.line("return terms;").close().str();
 }
 
-// ---- position(tau) ----
+// ---- position(tau) and momentum(tau) ----
 
 std::string comment(const Curve& curve) {
     return fmt::format(
@@ -142,50 +156,110 @@ std::string comment(const Curve& curve) {
         curve.order + 1);
 }
 
+std::string comment_on_momenta(const Step& step, const Curve& curve) {
+    const auto* form = std::get_if<GalerkinStep>(&step.form);
+    const bool is_of_L = form != nullptr && form->side == Side::lagrangian;
+    return fmt::format(
+        "The momentum at tau h within the last step: that at its beginning and the integral of {} "
+        "at the nodes, put together in the functions that the velocity of the curve is made of. "
+        "From the exact solution it is O(h^{}) away, as the position is; there is one where there "
+        "is a position.",
+        is_of_L ? "dL/dq" : "-dH/dq", curve.order + 1);
+}
+
+void write_table(Writer& writer, std::string_view name, const NumberMatrix& exact) {
+    std::vector<std::vector<Constant>> rows(exact.size());
+    for (std::size_t i = 0; i < exact.size(); ++i) {
+        for (std::size_t k = 0; k < exact[i].size(); ++k) {
+            rows[i].push_back(constant(fmt::format("{}_{},{}", name, i + 1, k + 1), exact[i][k]));
+        }
+    }
+    table(writer, name, rows);
+}
+
+/// A member of the class: the letter of a variable, by how much its curve departs from the chord
+/// for each slope, and the increment of the step.
+struct CurveMember {
+    std::string_view name;   ///< `position`
+    char letter;             ///< q or p
+    std::string_view table;  ///< `curve`
+    std::string chord;
+    std::vector<std::string> slopes;  ///< their component k
+    std::string_view remainder;       ///< of the end; empty where it is left out
+};
+
+void write_member(Writer& writer, const Step& step, const Curve& curve, const CurveMember& member) {
+    const bool is_any_size = step.container == Container::vectors;
+    const bool bends = !is_straight(curve);
+    writer.open("[[nodiscard]] Vector {}(Scalar tau) const {{", member.name);
+    writer.line("if (!s_.has_ended()) {{ return hvi::detail::nowhere{}; }}",
+                is_any_size ? "(Vector(system_.size()))" : "<Vector>()");
+    if (bends) {
+        writer.line("const auto bend = hvi::detail::departures({}, {});", member.table,
+                    curve.A.empty() ? "tau" : "tau, curve_terms(tau), curve_terms(1)");
+    }
+    writer.line("Vector {}{};", member.letter,
+                is_any_size ? fmt::format(" = s_.at.{}", member.letter) : "{}");
+    writer.open("for (Index k = 0; k < s_.at.q.size(); ++k) {{");
+    writer.line("const Scalar to_end = (1 - tau) * ({});", member.chord);
+    std::string sum = "-to_end";
+    for (std::size_t i = 0; i < member.slopes.size() && bends; ++i) {
+        sum += fmt::format(" + bend[{}] * {}", i, member.slopes[i]);
+    }
+    if (!member.remainder.empty()) { sum = fmt::format("{} + ({})", member.remainder, sum); }
+    writer.line("{0}[k] = s_.at.{0}[k] + ({1});", member.letter, sum).close();
+    writer.line("return {};", member.letter).close();
+}
+
 }  // namespace
 
 std::string curve_table(const Step& step, const Curve& curve, std::string_view library) {
     if (is_straight(curve)) { return {}; }
-    const NumberMatrix exact = of_slopes(step, curve);
-    std::vector<std::vector<Constant>> rows(exact.size());
-    for (std::size_t i = 0; i < exact.size(); ++i) {
-        for (std::size_t k = 0; k < exact[i].size(); ++k) {
-            rows[i].push_back(constant(fmt::format("curve_{},{}", i + 1, k + 1), exact[i][k]));
-        }
-    }
     Writer writer(1);
     writer.blank().comment(
         fmt::format("q_d(tau h) is on the chord but for sum_k curve_ik g_k(tau) times slope i, "
                     "with g_k(tau) = {}.",
                     curve.A.empty() ? "(P_{k+1}-P_{k-1})(2*tau-1)/2 of Legendre's polynomials P_k"
                                     : "A_k(tau)-tau*A_k(1) of the antiderivatives A_k"));
-    table(writer, "curve", rows);
+    write_table(writer, "curve", of_slopes(step, curve));
+    if (has_momenta(step)) {
+        writer.comment("As much of p, times Lp_i.");
+        write_table(writer, "curve_p", of_kicks(step, curve));
+    }
     if (!curve.A.empty()) { writer.insert(antiderivatives(curve, library)); }
     return writer.str();
 }
 
-std::string curve_text(const Step& step, const Curve& curve, std::size_t slopes,
-                       std::string_view chord,
-                       const std::function<std::string(std::size_t)>& slope) {
+std::string curve_text(const Step& step, const Curve& curve, std::string_view chord,
+                       const std::vector<std::string>& slopes,
+                       const std::vector<std::string>& kicks) {
     Writer writer(1);
-    writer.comment(comment(curve), "/// ")
-        .open("[[nodiscard]] Vector position(Scalar tau) const {{");
-    const bool is_any_size = step.container == Container::vectors;
-    writer.line("if (!s_.has_ended()) {{ return hvi::detail::nowhere{}; }}",
-                is_any_size ? "(Vector(system_.size()))" : "<Vector>()");
-    if (!is_straight(curve)) {
-        writer.line("const auto bend = hvi::detail::departures(curve, {});",
-                    curve.A.empty() ? "tau" : "tau, curve_terms(tau), curve_terms(1)");
+    writer.comment(comment(curve), "/// ");
+    write_member(writer, step, curve,
+                 {"position", 'q', "curve", std::string(chord), slopes, "s_.remainder.q[k]"});
+    writer.blank().comment(comment_on_momenta(step, curve), "/// ");
+    // NOTE: a remainder of p may be more than half a unit in its last place (move_by_kick()), and
+    // the curve ends where the step does.
+    write_member(
+        writer, step, curve,
+        {"momentum", 'p', "curve_p", fmt::format("{}", fmt::join(kicks, " + ")), kicks, ""});
+    return writer.str();
+}
+
+std::vector<std::string> slopes_in_rows(std::string_view slope, std::size_t count) {
+    std::vector<std::string> result;
+    for (std::size_t i = 0; i < count; ++i) {
+        result.push_back(fmt::format("s_.{}[{}][k]", slope, i));
     }
-    writer.line("Vector q{};", is_any_size ? " = s_.at.q" : "{}");
-    writer.open("for (Index k = 0; k < s_.at.q.size(); ++k) {{");
-    writer.line("const Scalar to_end = (1 - tau) * ({});", chord);
-    std::string sum = "-to_end";
-    for (std::size_t i = 0; i < slopes && !is_straight(curve); ++i) {
-        sum += fmt::format(" + bend[{}] * {}", i, slope(i));
+    return result;
+}
+
+std::vector<std::string> slopes_in_lanes(std::string_view slope, std::size_t count) {
+    std::vector<std::string> result;
+    for (std::size_t i = 0; i < count; ++i) {
+        result.push_back(fmt::format("s_.{}[static_cast<std::size_t>(k)][{}]", slope, i));
     }
-    writer.line("q[k] = s_.at.q[k] + (s_.remainder.q[k] + ({}));", sum).close();
-    return writer.line("return q;").close().str();
+    return result;
 }
 
 }  // namespace hvi::gen

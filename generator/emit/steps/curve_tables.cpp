@@ -66,12 +66,13 @@ std::string curve_tables(const Step& step, const GalerkinStep& form, const Scene
 void add_position(ImplicitParts& parts, const Step& step, const GalerkinStep& form,
                   const SceneWishes& wishes) {
     if (!wishes.curve) { return; }
-    const auto W = [](std::size_t j) { return fmt::format("s_.W[{}][k]", j); };
+    const std::vector<std::string> W = slopes_in_rows("W", form.form.functions());
     std::string chord;
-    for (std::size_t j = 0; j < form.form.functions(); ++j) {
-        chord += fmt::format("{}B[{}] * {}", j == 0 ? "" : " + ", j, W(j));
+    for (std::size_t j = 0; j < W.size(); ++j) {
+        chord += fmt::format("{}B[{}] * {}", j == 0 ? "" : " + ", j, W[j]);
     }
-    parts.curve = curve_text(step, *wishes.curve, form.form.functions(), chord, W);
+    parts.curve =
+        curve_text(step, *wishes.curve, chord, W, slopes_in_rows("Lp", form.form.nodes()));
 }
 
 bool has_adjoint(const Step& step) {

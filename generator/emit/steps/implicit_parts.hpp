@@ -89,15 +89,21 @@ constants(std::string_view name, const NumberMatrix& exact, const RoundedMatrix&
                                             const RoundedCoefficients& coefficients);
 
 /// The table `curve`: by how much the curve departs from its chord, for each of the slopes that the
-/// step keeps. Empty for a straight line. Functions are those of the namespace `library`.
+/// step keeps; and `curve_p` for momenta, but of rotations. Empty for a straight line. Functions
+/// are those of the namespace `library`.
 [[nodiscard]] std::string curve_table(const Step& step, const Curve& curve,
                                       std::string_view library);
 
-/// The member position(tau). `chord` is the increment of the step, `slopes` how many the table is
-/// for, and `slope(i)` component k of slope i of those that the table is for.
-[[nodiscard]] std::string curve_text(const Step& step, const Curve& curve, std::size_t slopes,
-                                     std::string_view chord,
-                                     const std::function<std::string(std::size_t)>& slope);
+/// The members position(tau) and momentum(tau). `chord` is the increment of q, `slopes` component k
+/// of those that the table is for, and `kicks` that of each Lp_i, which add up to the increment of
+/// p.
+[[nodiscard]] std::string curve_text(const Step& step, const Curve& curve, std::string_view chord,
+                                     const std::vector<std::string>& slopes,
+                                     const std::vector<std::string>& kicks);
+
+/// `s_.Lp[0][k]` and so on, and in lanes `s_.Lp[static_cast<std::size_t>(k)][0]`.
+[[nodiscard]] std::vector<std::string> slopes_in_rows(std::string_view slope, std::size_t count);
+[[nodiscard]] std::vector<std::string> slopes_in_lanes(std::string_view slope, std::size_t count);
 
 /// Adds the members generating_function() and action(), and the private one that they are made of,
 /// integral_over_step(): p dq - H dt, summed over the stages. That of pairs takes x, which the step

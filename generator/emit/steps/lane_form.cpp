@@ -259,11 +259,10 @@ ImplicitParts lane_parts(const Step& step, const VelocityStep& form, const Scene
                    {"newton", newton_of_position_lanes(step, form)}});
     parts.members = members_of_lanes(step, "VelocityLanes");
     if (wishes.curve) {
+        const std::size_t count = step.positions.size();
         parts.curve =
-            curve_text(step, *wishes.curve, step.positions.size(),
-                       "s_.increment_q(cn_lanes, static_cast<std::size_t>(k))", [](std::size_t i) {
-                           return fmt::format("s_.W[static_cast<std::size_t>(k)][{}]", i);
-                       });
+            curve_text(step, *wishes.curve, "s_.increment_q(cn_lanes, static_cast<std::size_t>(k))",
+                       slopes_in_lanes("W", count), slopes_in_lanes("Lp", count));
     }
     return parts;
 }
@@ -425,9 +424,9 @@ ImplicitParts lane_parts(const Step& step, const PairStep& form, const SceneWish
                               {"slopes", slopes_of_lanes(step)}});
     parts.members = members_of_lanes(step, "StageLanes");
     if (wishes.curve) {
-        parts.curve = curve_text(
-            step, *wishes.curve, step.momenta.size(), "s_.increment_q(static_cast<std::size_t>(k))",
-            [](std::size_t i) { return fmt::format("s_.Lq[static_cast<std::size_t>(k)][{}]", i); });
+        parts.curve = curve_text(step, *wishes.curve, "s_.increment_q(static_cast<std::size_t>(k))",
+                                 slopes_in_lanes("Lq", step.momenta.size()),
+                                 slopes_in_lanes("Lp", step.positions.size()));
     }
     return parts;
 }

@@ -344,9 +344,9 @@ ImplicitParts parts(const Step& step, const PairStep& form, const SceneWishes& w
     parts.coupled = coupled_pairs(step);
     parts.members = members_of_pairs(step);
     if (wishes.curve) {
-        parts.curve = curve_text(step, *wishes.curve, step.momenta.size(),
-                                 sum_of_slopes("Lq", step.momenta.size()),
-                                 [](std::size_t i) { return fmt::format("s_.Lq[{}][k]", i); });
+        parts.curve = curve_text(step, *wishes.curve, sum_of_slopes("Lq", step.momenta.size()),
+                                 slopes_in_rows("Lq", step.momenta.size()),
+                                 slopes_in_rows("Lp", step.positions.size()));
     }
     if (wishes.action) { add_action(parts, step, form); }
     return parts;

@@ -383,9 +383,10 @@ ImplicitParts parts(const Step& step, const VelocityStep& form, const SceneWishe
     parts.coupled = coupled_velocities(step, form);
     parts.members = members_of_velocities(step, form);
     if (wishes.curve) {
-        parts.curve = curve_text(step, *wishes.curve, step.positions.size(),
-                                 "s_.free_path[k] + " + increment_by_forces(form.form),
-                                 [](std::size_t i) { return fmt::format("s_.W[{}][k]", i); });
+        const std::size_t count = step.positions.size();
+        parts.curve =
+            curve_text(step, *wishes.curve, "s_.free_path[k] + " + increment_by_forces(form.form),
+                       slopes_in_rows("W", count), slopes_in_rows("Lp", count));
     }
     return parts;
 }

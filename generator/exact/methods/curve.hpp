@@ -66,6 +66,14 @@ struct Curve {
 ///
 /// which for a p of degree k it satisfies where it is exact for degree s - 1 + k: so q_d' is right
 /// up to O(h^min(s, r+1)) again. For other bases the order is 1: the span has the constants.
+///
+/// Momenta are put together in the same functions:
+///
+///     p(tau h) = p_0 - h sum_j integral_0^tau phi_j * dH/dq(Q_j, P_j),
+///
+/// and by diag(b) Psi^T G^-1 R with more nodes. As Q_j is on the curve, and P_j as good as said,
+/// the slopes -dH/dq(Q_j, P_j) are those of the exact momenta up to O(h^min(s, r+1)), and so is
+/// what the span makes of them: the order is that of the positions.
 [[nodiscard]] Curve curve(const Method& method, const AnyDerivation& derivation);
 
 }  // namespace hvi::gen

@@ -22,6 +22,7 @@ struct SceneRun {
     std::vector<std::string> table;   ///< lines
     std::vector<std::vector<double>> tangent;
     std::vector<std::string> sensitivity;  ///< lines
+    std::vector<std::string> section;      ///< lines
 
     /// A row of the table, from 0 on.
     [[nodiscard]] std::vector<double> row(std::size_t k) const {
@@ -69,6 +70,7 @@ inline SceneRun run_words_in(const Directory& directory, const std::string& word
     result.events = lines("events.csv");
     result.table = lines("trajectory.csv");
     result.sensitivity = lines("sensitivity.csv");
+    result.section = lines("section.csv");
     for (const std::string& line : lines("tangent.csv")) result.tangent.push_back(numbers_of(line));
     return result;
 }

@@ -155,3 +155,18 @@ TEST_CASE("a run that goes on adds to its NPY table, and a picture is drawn besi
     CHECK(names_in(directory / "drawn") ==
           std::vector<std::string>{"picture.svg", "summary.txt", "trajectory.npy"});
 }
+
+TEST_CASE("beside a table of another format the picture shows the rows at given times") {
+    use_cache();
+    const Directory directory;
+    const auto picture = [&](const std::string& format) {
+        const Outcome outcome = shell("exec \"$hvi_gen\" run kepler --interpret --until 1 --times "
+                                      "0:1:5 --format " +
+                                          format + " -o " + format,
+                                      directory.path());
+        INFO(outcome.err);
+        REQUIRE(outcome.status == 0);
+        return contents(directory / format / "picture.svg");
+    };
+    CHECK(picture("npy") == picture("csv"));
+}

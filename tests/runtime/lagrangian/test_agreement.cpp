@@ -73,6 +73,10 @@ double distance_of_curves(double h) {
             for (std::size_t k = 0; k < a.size(); ++k) {
                 largest = std::fmax(largest, std::abs(a[k] - b[k]));
             }
+            const auto c = left.momentum(tau), d = right.momentum(tau);
+            for (std::size_t k = 0; k < c.size(); ++k) {
+                largest = std::fmax(largest, std::abs(c[k] - d[k]));
+            }
         }
         for (std::size_t k = 0; k < x.q.size(); ++k) { CHECK(left.position(1)[k] == x.q[k]); }
     }

@@ -94,6 +94,7 @@ TEST_CASE("curves of steps with loops") {
     const auto same_curve = [](const auto& loops, const auto&, const auto& out, const auto&) {
         for (const double tau : {0.0, 0.3, 0.5, 1.0}) {
             CHECK(apart(loops.position(tau), out.position(tau)) < 1e-13);
+            CHECK(apart(loops.momentum(tau), out.momentum(tau)) < 1e-13);
         }
     };
     CHECK(distance_on_the_way<Driven, DrivenOut>(0.1, 10, same_curve) < 1e-14);

@@ -1,4 +1,5 @@
-// Positions within a step: the curve of the paper, computed again from the tableau, and its order.
+// Positions and momenta within a step: the curve of the paper, computed again from the tableau, and
+// its order.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <algorithm>
 #include <cmath>
@@ -98,7 +99,8 @@ struct Stages {
         const typename Stepper::System system{typename Stepper::Parameters{}};
         Q.assign(s, x.q);
         velocity.assign(s, {});
-        std::vector<typename Stepper::Vector> P(s, x.p), force(s);
+        force.assign(s, {});
+        std::vector<typename Stepper::Vector> P(s, x.p);
         for (int sweep = 0; sweep < 200; ++sweep) {
             for (std::size_t i = 0; i < s; ++i) {
                 scenes::gradient(system, Q[i], P[i], force[i], velocity[i]);
@@ -114,10 +116,11 @@ struct Stages {
         }
     }
 
-    std::vector<typename Stepper::Vector> Q, velocity;
+    std::vector<typename Stepper::Vector> Q, velocity, force;
 };
 
-/// q_d(tau h) = q_0 + h sum_j integral_0^tau phi_j * dH/dp(Q_j, P_j), and Q_i at c_i.
+/// q_d(tau h) = q_0 + h sum_j integral_0^tau phi_j * dH/dp(Q_j, P_j), and Q_i at c_i; momenta as
+/// much by -dH/dq.
 template <class Stepper>
 void compare_with_the_paper(const Table& table, typename Stepper::State x, double h) {
     Stepper stepper;
@@ -128,10 +131,12 @@ void compare_with_the_paper(const Table& table, typename Stepper::State x, doubl
         CHECK(std::abs(stepper.position(table.c[i])[0] - stages.Q[i][0]) < 3e-15);
     }
     for (const double tau : {0.03, 0.25, 0.4, 0.77, 0.99}) {
-        double q = start.q[0];
+        double q = start.q[0], p = start.p[0];
         for (std::size_t j = 0; j < table.c.size(); ++j) {
             q += h * table.integral(j, tau) * stages.velocity[j][0];
+            p -= h * table.integral(j, tau) * stages.force[j][0];
         }
+        CHECK(std::abs(stepper.momentum(tau)[0] - p) < 3e-15);
         CHECK(std::abs(stepper.position(tau)[0] - q) < 3e-15);
     }
 }
@@ -249,26 +254,37 @@ typename Stepper::State flow(typename Stepper::State x, double time) {
     return x;
 }
 
-/// The largest error within one step.
+struct Errors {
+    double q = 0, p = 0;
+};
+
+/// The largest errors within one step.
 template <class Stepper>
-double error(const typename Stepper::State& start, double h) {
+Errors errors(const typename Stepper::State& start, double h) {
     Stepper stepper;
     typename Stepper::State x = start;
     REQUIRE(stepper.step(x, h).ok());
-    double largest = 0.0;
+    Errors largest;
     for (int i = 1; i < 16; ++i) {
         const double tau = i / 16.0;
-        largest = std::max(
-            largest, scenes::distance(stepper.position(tau), flow<Stepper>(start, tau * h).q));
+        const typename Stepper::State exact = flow<Stepper>(start, tau * h);
+        largest.q = std::max(largest.q, scenes::distance(stepper.position(tau), exact.q));
+        largest.p = std::max(largest.p, scenes::distance(stepper.momentum(tau), exact.p));
     }
     return largest;
 }
 
-/// The exponent of h in the error of one step.
+/// The exponents of h in the errors of one step.
+template <class Stepper>
+Errors exponents(double h) {
+    const typename Stepper::State start{{-0.3}, {-0.5}};
+    const Errors of_h = errors<Stepper>(start, h), of_half = errors<Stepper>(start, h / 2);
+    return {std::log2(of_h.q / of_half.q), std::log2(of_h.p / of_half.p)};
+}
+
 template <class Stepper>
 double exponent(double h) {
-    const typename Stepper::State start{{-0.3}, {-0.5}};
-    return std::log2(error<Stepper>(start, h) / error<Stepper>(start, h / 2));
+    return exponents<Stepper>(h).q;
 }
 
 // ---- promises ----
@@ -287,6 +303,8 @@ void check_ends(typename Stepper::State x, double h, double bound) {
         REQUIRE(stepper.step(x, i % 7 == 6 ? -h : h).ok());
         CHECK(scenes::distance(stepper.position(0.0), start.q) <= bound);
         CHECK(stepper.position(1.0) == x.q);
+        CHECK(scenes::distance(stepper.momentum(0.0), start.p) <= bound);
+        CHECK(stepper.momentum(1.0) == x.p);
         CHECK(stepper.position(0.3) == stepper.position(0.3));
     }
     const typename Stepper::Vector middle = stepper.position(0.5);
@@ -298,6 +316,7 @@ void check_ends(typename Stepper::State x, double h, double bound) {
     lost.p[0] = std::numeric_limits<double>::quiet_NaN();
     REQUIRE_FALSE(stepper.step(lost, h).ok());
     for (const double q : stepper.position(0.5)) { CHECK(std::isnan(q)); }
+    for (const double p : stepper.momentum(0.5)) { CHECK(std::isnan(p)); }
     REQUIRE(stepper.step(x, h).ok());
     CHECK_FALSE(std::isnan(stepper.position(0.5)[0]));
     stepper.reset();
@@ -360,6 +379,27 @@ TEST_CASE("the error within a step is O(h^(order+1)), and of no higher power") {
     CHECK(exponent<DenseNonseparableTrig3>(0.05) == is_near(2));
 }
 
+TEST_CASE("momenta within a step err by the power of h that positions do, or by a higher one") {
+    const auto is_near = [](int expected) { return Approx(expected).margin(0.2); };
+    CHECK(exponents<DenseNonseparableMidpoint>(0.05).p == is_near(2));
+    CHECK(exponents<DenseNonseparableGauss2>(0.05).p == is_near(3));
+    CHECK(exponents<DenseNonseparableGauss3>(0.02).p == is_near(4));
+    CHECK(exponents<DenseNonseparableLobatto3>(0.05).p == is_near(3));
+    CHECK(exponents<DenseNonseparableChebyshev3>(0.05).p == is_near(3));
+    CHECK(exponents<DenseNonseparableTrig3>(0.05).p == is_near(2));
+    CHECK(exponents<DensePendulumMidpoint>(0.05).p == is_near(2));
+    CHECK(exponents<DensePendulumVerlet>(0.05).p == is_near(2));
+    CHECK(exponents<DensePendulumEuler>(0.05).p == is_near(2));
+    CHECK(exponents<DensePendulumGauss2>(0.05).p == is_near(3));
+    CHECK(exponents<DensePendulumGauss3>(0.05).p == is_near(4));
+    CHECK(exponents<DensePendulumSimpson>(0.05).p == is_near(3));
+    CHECK(exponents<DensePendulumBoole>(0.05).p == is_near(4));
+    CHECK(exponents<DensePendulumTrig3>(0.05).p == is_near(2));
+    // Three nodes integrate the force along positions that err by h^3: the error is of one more.
+    CHECK(exponents<DensePendulumLobatto3>(0.05).p > 2.8);
+    CHECK(exponents<DensePendulumChebyshev3>(0.05).p > 2.8);
+}
+
 TEST_CASE("an explicit step with a curve is the explicit step") {
     DensePendulumVerlet dense;
     VerletPendulum plain;
@@ -373,8 +413,11 @@ TEST_CASE("an explicit step with a curve is the explicit step") {
 }
 
 TEST_CASE("eight stages give the solution within a long step to round-off") {
-    CHECK(error<DensePendulumGauss8>({{0.7}, {0.4}}, 0.2) < 1e-14);
-    CHECK(error<DenseNonseparableGauss8>({{0.7}, {0.4}}, 0.1) < 1e-14);
+    for (const Errors& of : {errors<DensePendulumGauss8>({{0.7}, {0.4}}, 0.2),
+                             errors<DenseNonseparableGauss8>({{0.7}, {0.4}}, 0.1)}) {
+        CHECK(of.q < 1e-14);
+        CHECK(of.p < 1e-14);
+    }
 }
 
 TEST_CASE("the curve is the same with and without momenta in the stages") {
@@ -386,6 +429,7 @@ TEST_CASE("the curve is the same with and without momenta in the stages") {
     REQUIRE(pairs.step(y, 0.2).ok());
     for (const double tau : {0.1, 0.5, 0.8}) {
         CHECK(scenes::distance(eliminated.position(tau), pairs.position(tau)) < 1e-13);
+        CHECK(scenes::distance(eliminated.momentum(tau), pairs.momentum(tau)) < 1e-13);
     }
 }
 
@@ -401,6 +445,8 @@ TEST_CASE("float and long double have the curve too") {
     REQUIRE(stepper.step(z, 0.125).ok());
     CHECK(single.position(1.0F) == x.q);
     CHECK(extended.position(1.0L) == y.q);
+    CHECK(single.momentum(1.0F) == x.p);
+    CHECK(extended.momentum(1.0L) == y.p);
     CHECK(std::abs(single.position(0.25F)[0] - static_cast<float>(stepper.position(0.25)[0])) <
           2e-7F);
     CHECK(std::abs(static_cast<double>(extended.position(0.25L)[0]) - stepper.position(0.25)[0]) <

@@ -66,6 +66,7 @@ struct [[nodiscard]] EventRun {
     Ending ending = Ending::all_steps;
     std::size_t event = 0;  ///< that has ended it, or is the cause
     Scalar t = 0;           ///< of the state at the end
+    Scalar rest = 0;        ///< the size of the short step to the event that has ended it
 
     [[nodiscard]] bool ok() const { return ending == Ending::all_steps || ending == Ending::event; }
 };

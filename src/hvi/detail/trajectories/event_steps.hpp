@@ -424,6 +424,7 @@ private:
             if (act == After::stop) {
                 x = within_;
                 result.t = t;
+                result.rest = met.part * stretch_.span;
                 return end(Ending::event, i, result);
             }
             if (act == After::jump) {
