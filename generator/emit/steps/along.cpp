@@ -8,7 +8,7 @@ namespace {
 
 bool carries_directions(const Step& step) { return step.carries == Carries::directions; }
 
-bool has_momenta(const Step& step) { return std::holds_alternative<PairStep>(step.form); }
+bool of_pairs(const Step& step) { return std::holds_alternative<PairStep>(step.form); }
 
 bool takes_parts(const Step& step) { return step.iteration()->takes_parts(); }
 
@@ -28,7 +28,7 @@ std::string slopes_before(const Step& step) {
 /// NOTE: once more, as those that solvers leave are of slopes before the last.
 void keep_of_lanes(Writer& writer, const Step& step) {
     const std::string_view time = step.depends_on_time() ? ", hvi::detail::lane_row(clock_.t)" : "";
-    if (has_momenta(step)) {
+    if (of_pairs(step)) {
         writer.line("s_.positions(m_lanes);").line("s_.momenta({}_lanes);", table_mt(step));
         writer.line("auto kept = along.kept();");
         writer.line("system_.keep(along.lanes(s_.Q), along.lanes(s_.P){}, kept);", time);
@@ -43,7 +43,7 @@ void keep_of_each(Writer& writer, const Step& step) {
     const std::string time = time_of_stage(step, "i", "s_");
     const std::string behind = time.empty() ? time : ", " + time;
     writer.open("along.keep([&](std::size_t i, auto& kept) {{");
-    if (has_momenta(step)) {
+    if (of_pairs(step)) {
         writer.line("const Vector q = hvi::detail::stage_value(x.q, m_lanes, i, s_.Lq, "
                     "s_.remainder.q);");
         writer.line("const Vector p = hvi::detail::stage_value(x.p, {}_lanes, i, s_.Lp, "
@@ -69,11 +69,11 @@ std::string carry_text(const Step& step) {
     } else {
         keep_of_each(writer, step);
     }
-    const std::string table = has_momenta(step)
+    const std::string table = of_pairs(step)
                                   ? fmt::format("{{m_lanes, {}_lanes}}", table_mt(step))
                                   : std::string("cn_lanes");
     writer.line("const Status status = along.carry(system_, s_, {}, {{{}, {}}}, {});", table,
-                has_momenta(step) ? weights_q(step) : weights_p(step), weights_p(step),
+                of_pairs(step) ? weights_q(step) : weights_p(step), weights_p(step),
                 slopes_before(step));
     return writer.line("return Status(status.code(), iterations);").close().str();
 }
@@ -85,7 +85,7 @@ std::string tables_text(const Step& step) {
         writer.line("static constexpr auto {0}_lanes = hvi::detail::lane_columns({0});", name);
     };
     writer.blank();
-    if (!has_momenta(step)) {
+    if (!of_pairs(step)) {
         return writer
             .line("static constexpr hvi::detail::VelocityTable<Scalar, stages> cn_lanes{{c, n}};")
             .str();
@@ -112,8 +112,8 @@ std::string type_of_along(const Step& step, const Evaluations* evaluations) {
         step.register_width == widest_register ? "" : fmt::format(", {}", step.register_width);
     return writer
         .line("using Along = hvi::detail::StagesAlong<hvi::detail::{}OfDirections, Vector, {}, {}{}>;",
-              has_momenta(step) ? "Pairs" : "Positions", step.positions.size(),
-              (has_momenta(step) ? kernels.both : kernels.by_q).kept.size(), width)
+              of_pairs(step) ? "Pairs" : "Positions", step.positions.size(),
+              (of_pairs(step) ? kernels.both : kernels.by_q).kept.size(), width)
         .str();
 }
 
@@ -160,7 +160,7 @@ void add_carry(ImplicitParts& parts, const Step& step) {
     parts.predict += "\n" + carry_text(step);
     if (step.layout == Layout::stages) { return; }
     parts.constants += tables_text(step);
-    parts.runtime.push_back(has_momenta(step) ? "detail/lanes/stage_lanes"
+    parts.runtime.push_back(of_pairs(step) ? "detail/lanes/stage_lanes"
                                               : "detail/lanes/velocity_lanes");
 }
 
