@@ -49,6 +49,15 @@ bool carries_along(const SceneStepper& stepper, const StepperWishes& wishes) {
            (has_pairs(step) || std::holds_alternative<VelocityStep>(step.form));
 }
 
+/// Makes them do so.
+void carry_directions(SceneStepper& stepper) {
+    stepper.step.carries = Carries::directions;
+    stepper.step.decisions.push_back(
+        {"directions go along with the stages of (q, p)",
+         "their equations are linear, and share what second derivatives have of these"});
+    stepper.evaluations->directions = direction_kernels(stepper.system);
+}
+
 }  // namespace
 
 void add_directions(SceneStepper& stepper, const Method& method, const Scene& scene,
@@ -63,11 +72,7 @@ void add_directions(SceneStepper& stepper, const Method& method, const Scene& sc
         hvi::gen::is_symmetric(ExactMethod{{method, wishes.composition}, stepper.method.base});
     const PulledBack pulled_back = is_symmetric ? PulledBack::step_back : PulledBack::columns;
     if (carries_along(stepper, wishes)) {
-        stepper.step.carries = Carries::directions;
-        stepper.step.decisions.push_back(
-            {"directions go along with the stages of (q, p)",
-             "their equations are linear, and share what second derivatives have of these"});
-        stepper.evaluations->directions = direction_kernels(stepper.system);
+        carry_directions(stepper);
         StepToEmit along = to_emit(stepper);
         along.options.note = wishes.note;
         stepper.header = emit_with_directions(along, pulled_back);
@@ -77,6 +82,17 @@ void add_directions(SceneStepper& stepper, const Method& method, const Scene& sc
     apart.options.note = wishes.note;
     const SceneStepper carrier = tangent_stepper(method, scene, wishes_of_carrier(wishes), option);
     stepper.header = emit_with_directions_apart(apart, to_emit(carrier), pulled_back);
+}
+
+SceneStepper stepper_of_directions(const SceneStepper& stepper, const Method& method,
+                                   const Scene& scene, const StepperWishes& wishes,
+                                   std::string_view what) {
+    if (scene.scale || !carries_along(stepper, wishes))
+        return tangent_stepper(method, scene, wishes, what);
+    check_directions(scene, what);
+    SceneStepper result = stepper;
+    carry_directions(result);
+    return result;
 }
 
 }  // namespace hvi::gen

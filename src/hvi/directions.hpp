@@ -7,10 +7,10 @@
 #include <vector>
 
 #include <hvi/detail/directions/carried_along.hpp>
+#include <hvi/detail/directions/carried_apart.hpp>
 #include <hvi/detail/directions/moves_along.hpp>
 #include <hvi/detail/directions/stages_along.hpp>
 #include <hvi/detail/stages/system.hpp>
-#include <hvi/detail/directions/carried_apart.hpp>
 #include <hvi/state.hpp>
 
 namespace hvi {
@@ -150,7 +150,9 @@ private:
     [[nodiscard]] Status pull_back_columns(const State& x, State& lambda, Scalar h) {
         const std::size_t degrees = static_cast<std::size_t>(x.q.size());
         State zero = lambda;
-        for (std::size_t k = 0; k < degrees; ++k) { detail::at(zero.q, k) = detail::at(zero.p, k) = 0; }
+        for (std::size_t k = 0; k < degrees; ++k) {
+            detail::at(zero.q, k) = detail::at(zero.p, k) = 0;
+        }
         moved_.assign(2 * degrees, zero);
         for (std::size_t k = 0; k < degrees; ++k) {
             detail::at(moved_[k].q, k) = 1;
@@ -176,11 +178,11 @@ private:
         return sum;
     }
 
-    Stepper probe_;  ///< finds where the step ends that a covector is pulled back along
-    using Carriers = std::conditional_t<std::is_same_v<Carrier, Stepper>,
-                                        detail::CarriedAlong<Stepper>,
-                                        detail::CarriedApart<Carrier, State>>;
+    using Carriers =
+        std::conditional_t<std::is_same_v<Carrier, Stepper>, detail::CarriedAlong<Stepper>,
+                           detail::CarriedApart<Carrier, State>>;
 
+    Stepper probe_;  ///< finds where the step ends that a covector is pulled back along
     Carriers ahead_, back_;
     std::vector<State> moved_;
 };

@@ -69,9 +69,8 @@ std::string carry_text(const Step& step) {
     } else {
         keep_of_each(writer, step);
     }
-    const std::string table = of_pairs(step)
-                                  ? fmt::format("{{m_lanes, {}_lanes}}", table_mt(step))
-                                  : std::string("cn_lanes");
+    const std::string table = of_pairs(step) ? fmt::format("{{m_lanes, {}_lanes}}", table_mt(step))
+                                             : std::string("cn_lanes");
     writer.line("const Status status = along.carry(system_, s_, {}, {{{}, {}}}, {});", table,
                 of_pairs(step) ? weights_q(step) : weights_p(step), weights_p(step),
                 slopes_before(step));
@@ -111,10 +110,17 @@ std::string type_of_along(const Step& step, const Evaluations* evaluations) {
     const std::string width =
         step.register_width == widest_register ? "" : fmt::format(", {}", step.register_width);
     return writer
-        .line("using Along = hvi::detail::StagesAlong<hvi::detail::{}OfDirections, Vector, {}, {}{}>;",
+        .line("using Along = hvi::detail::StagesAlong<hvi::detail::{}OfDirections, Vector, {}, "
+              "{}{}>;",
               of_pairs(step) ? "Pairs" : "Positions", step.positions.size(),
               (of_pairs(step) ? kernels.both : kernels.by_q).kept.size(), width)
         .str();
+}
+
+std::string include_of_along(const Step& step) {
+    if (!carries_directions(step)) { return {}; }
+    return fmt::format("#include <hvi/detail/directions/{}_along.hpp>\n\n",
+                       std::holds_alternative<ExplicitStep>(step.form) ? "moves" : "stages");
 }
 
 std::string along_argument(const Step& step, StepFunction function) {
@@ -122,7 +128,9 @@ std::string along_argument(const Step& step, StepFunction function) {
     return function == StepFunction::whole ? ", Along* along = nullptr" : ", Along* along";
 }
 
-std::string_view along_passed(const Step& step) { return carries_directions(step) ? ", along" : ""; }
+std::string_view along_passed(const Step& step) {
+    return carries_directions(step) ? ", along" : "";
+}
 
 std::string carry_by_move(const Step& step, const Move& move, std::string_view at,
                           std::string_view size) {
@@ -161,7 +169,7 @@ void add_carry(ImplicitParts& parts, const Step& step) {
     if (step.layout == Layout::stages) { return; }
     parts.constants += tables_text(step);
     parts.runtime.push_back(of_pairs(step) ? "detail/lanes/stage_lanes"
-                                              : "detail/lanes/velocity_lanes");
+                                           : "detail/lanes/velocity_lanes");
 }
 
 }  // namespace hvi::gen

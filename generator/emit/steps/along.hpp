@@ -16,6 +16,9 @@ namespace hvi::gen {
 /// The public type of what it carries.
 [[nodiscard]] std::string type_of_along(const Step& step, const Evaluations* evaluations);
 
+/// The header of the runtime that has it, as it is included before the class.
+[[nodiscard]] std::string include_of_along(const Step& step);
+
 /// Whether step() itself is called, or a part of it.
 enum class StepFunction { whole, part };
 

@@ -257,19 +257,18 @@ std::string emit_one(const OneStepMethod& method, const Step& step, const Explic
     const SystemPart system = system_part(method, step, options);
     const bool rounds = are_rounded(weights) || are_rounded(system.types);
     Holes holes = holes_of(system);
-    holes.merge(
-        Holes{{"support", support(step, parts, options, rounds)},
-              {"parameter", parameter_text(step)},
-              {"along", along_argument(step, StepFunction::whole)},
-              {"begins", begins(step)},
-              {"weights", weights},
-              {"fits", fits_text(step, parts)},
-              {"moves", parts.moves},
-              {"state", system.state},
-              {"clock", clock_begins(step, "reset()")},
-              {"status", std::string(clock_ends_well(step))},
-              {"forget", parts.forget},
-              {"members", members_text(step, parts)}});
+    holes.merge(Holes{{"support", support(step, parts, options, rounds)},
+                      {"parameter", parameter_text(step)},
+                      {"along", along_argument(step, StepFunction::whole)},
+                      {"begins", begins(step)},
+                      {"weights", weights},
+                      {"fits", fits_text(step, parts)},
+                      {"moves", parts.moves},
+                      {"state", system.state},
+                      {"clock", clock_begins(step, "reset()")},
+                      {"status", std::string(clock_ends_well(step))},
+                      {"forget", parts.forget},
+                      {"members", members_text(step, parts)}});
     return fill("explicit.hpp.in", holes);
 }
 

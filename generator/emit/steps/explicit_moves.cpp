@@ -39,7 +39,7 @@ private:
         if (!dimension_) {
             writer_.insert(
                 carry_by_move(step_, move, value(!move.kick),
-                                   sums_ == Sums::compensated ? weight(move) : size(step_, move)));
+                              sums_ == Sums::compensated ? weight(move) : size(step_, move)));
         }
         const MoveNames& its = names(move);
         const bool is_apart = sums_ == Sums::compensated;

@@ -355,8 +355,8 @@ private:
         StraightCode code{kernel.along, out, named(kernel.kept, "kept")};
         code.names.insert(directions.begin(), directions.end());
         arguments.insert(arguments.begin(), {"const Kept& kept", !kept.empty()});
-        add_of_any("along" + name, no_variables, std::move(code), std::move(arguments))
-            .parameters = "class Kept, class Values, class Value = hvi::detail::ScalarOf<Values>";
+        add_of_any("along" + name, no_variables, std::move(code), std::move(arguments)).parameters =
+            "class Kept, class Values, class Value = hvi::detail::ScalarOf<Values>";
     }
 
     /// Adds code of numbers or of lanes, whatever the step takes: directions take both.

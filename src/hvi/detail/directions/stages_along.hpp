@@ -5,12 +5,12 @@
 #include <array>
 #include <cstddef>
 
+#include <hvi/detail/coefficients/weights.hpp>
 #include <hvi/detail/directions/cells.hpp>
 #include <hvi/detail/directions/direct_solution.hpp>
 #include <hvi/detail/directions/groups.hpp>
 #include <hvi/detail/directions/pairs_of_directions.hpp>
 #include <hvi/detail/directions/positions_of_directions.hpp>
-#include <hvi/detail/coefficients/weights.hpp>
 #include <hvi/detail/numbers/arithmetic.hpp>
 #include <hvi/state.hpp>
 
