@@ -198,13 +198,13 @@ EventWishes events_of(const Scene& scene, const SceneStepper& stepper, const Run
 
 /// With the momentum maps that are found.
 WishedRun watched_run(MethodAndScene both, const StepperWishes& wishes, const RunLength& length,
-                      const RunOptions& options) {
+                      const RunOptions& options, const Runner& runner) {
     const Watched watched = watch(both.scene, options);
     SceneStepper stepper = scene_stepper(both.method, both.scene, wishes);
     RunSubject subject = run_subject(stepper);
     std::vector<Statement> statements = watched.statements(keeping_facts(stepper.method.base));
     EventWishes events = events_of(both.scene, stepper, subject, options.columns);
-    Monitors monitors = wished_monitors(both, stepper, wishes, options);
+    Monitors monitors = wished_monitors(both, stepper, wishes, options, runner);
     std::string events_text = text_of(both.scene.events) + (both.scene.kinks ? "kinks\n" : "");
     std::vector<double> times;
     if (options.times)
@@ -234,7 +234,7 @@ WishedRun watched_run(MethodAndScene both, const StepperWishes& wishes, const Ru
                   "a step"};
 }
 
-WishedRun advised_run(const RunOptions& options) {
+WishedRun advised_run(const RunOptions& options, const Runner& runner) {
     const AdvisedOptions advice = [&] {
         const InterruptionsHeld held;
         return advised({options.method.parameters, options.system, options.until, *options.accuracy,
@@ -245,16 +245,17 @@ WishedRun advised_run(const RunOptions& options) {
     StepperWishes wishes = simulation_wishes(advice.solver, advice.composition);
     wishes.unroll = options.wishes.unroll;
     WishedRun run = watched_run(read_scene(method_options, options.system), wishes,
-                                {steps_to_output(advice.steps, options.times)}, options);
+                                {steps_to_output(advice.steps, options.times)}, options, runner);
     run.shortfall = advice.shortfall;
     return run;
 }
 
-WishedRun any_run(const RunOptions& options, bool interprets) {
-    if (options.accuracy) return advised_run(options);
+WishedRun any_run(const RunOptions& options, const Runner& runner) {
+    if (options.accuracy) return advised_run(options, runner);
     MethodAndScene both = read_scene(options.method, options.system);
     const RunLength length = wished_length(both.scene, options);
-    return watched_run(std::move(both), wishes_of(options, interprets), length, options);
+    return watched_run(std::move(both), wishes_of(options, runner.interprets()), length, options,
+                       runner);
 }
 
 /// NOTE: the picture shows the columns that were asked for, where some were.
@@ -285,7 +286,7 @@ void run(const RunOptions& options) {
     // away.
     check_format(options.format);
     Runner runner(options.interpret);
-    const WishedRun wished = any_run(options, runner.interprets());
+    const WishedRun wished = any_run(options, runner);
     const RunSubject& subject = wished.subject;
     const Steps& steps = wished.steps;
     if (!wished.not_looked_for.empty())

@@ -10,6 +10,7 @@
 #include "generator/drive/table.hpp"
 #include "generator/hamiltonian/time_scale.hpp"
 #include "generator/interpret/event_program.hpp"
+#include "generator/pipeline/directions.hpp"
 #include "generator/pipeline/passes.hpp"
 #include "generator/read/nearest.hpp"
 #include "generator/read/parse.hpp"
@@ -199,13 +200,18 @@ void add_shadow(Monitors& monitors, const MethodAndScene& both, const SceneStepp
 }  // namespace
 
 Monitors wished_monitors(const MethodAndScene& both, const SceneStepper& stepper,
-                         const StepperWishes& wishes, const RunOptions& options) {
+                         const StepperWishes& wishes, const RunOptions& options,
+                         const Runner& runner) {
     Monitors result{.tangents = tangents_of(options)};
     if (result.tangents.any()) {
         const std::string_view what = wish_for_directions(options);
         check_steps(both.scene, what);
         check_count_of_directions(both.scene, options);
-        result.tangent = tangent_stepper(both.method, both.scene, wishes, what);
+        // NOTE: what carries directions along is compiled.
+        result.tangent =
+            runner.interprets()
+                ? tangent_stepper(both.method, both.scene, wishes, what)
+                : stepper_of_directions(stepper, both.method, both.scene, wishes, what);
         if (both.scene.scale)
             result.tangents.motion = motion_of_scaled_time(both.scene, stepper, what);
     }

@@ -35,7 +35,8 @@ struct Monitors {
 
 /// Throws InputError for what is not built for the scene, whose stepper this is.
 [[nodiscard]] Monitors wished_monitors(const MethodAndScene& both, const SceneStepper& stepper,
-                                       const StepperWishes& wishes, const RunOptions& options);
+                                       const StepperWishes& wishes, const RunOptions& options,
+                                       const Runner& runner);
 
 /// Measurements of those that were wished for.
 struct MonitorFindings {

@@ -24,8 +24,6 @@ double norm_of(const DirectionVector& v) {
     return largest * std::sqrt(sum);
 }
 
-std::size_t degrees_of_problem() { return DrivenProblem::initial().q.size() / 2; }
-
 DirectionVector DirectionsAtOneTime::without_time(const DirectionVector& v) const {
     const double part = v[n_ - 1] / motion_[n_ - 1];
     DirectionVector result = v;
@@ -52,29 +50,6 @@ DirectionVector DirectionsAtOneTime::of_q_and_p(const DirectionVector& v) {
     return result;
 }
 
-Directions::Directions(const std::vector<DirectionVector>& start, FindMotion motion)
-    : motion_(std::move(motion)) {
-    for (std::size_t k = 0; k < start.size(); ++k) {
-        steppers_.push_back(DrivenProblem::stepper());
-        states_.push_back(steppers_.back().initial());
-    }
-    set(start);
-}
-
-Status Directions::step(double h) {
-    const auto n = static_cast<std::ptrdiff_t>(degrees());
-    for (std::size_t k = 0; k < states_.size(); ++k) {
-        DrivenStepper::State& x = states_[k];
-        const Status status = steppers_[k].step(x, h);
-        if (!status.ok()) return status;
-        if (k == 0) continue;
-        const DrivenStepper::State& first = states_.front();
-        std::copy(first.q.begin(), first.q.begin() + n, x.q.begin());
-        std::copy(first.p.begin() + n, first.p.end(), x.p.begin() + n);
-    }
-    return {};
-}
-
 DirectionVector direction_of(const DrivenStepper::State& x) {
     const auto n = static_cast<std::ptrdiff_t>(x.q.size() / 2);
     DirectionVector v(x.q.begin() + n, x.q.end());
@@ -82,10 +57,118 @@ DirectionVector direction_of(const DrivenStepper::State& x) {
     return v;
 }
 
-std::vector<DirectionVector> Directions::carried() const {
-    std::vector<DirectionVector> result;
-    for (const DrivenStepper::State& x : states_) result.push_back(direction_of(x));
-    return result;
+namespace {
+
+/// Directions that share the stages of a step, which carries them.
+class DirectionsTogether : public MovedDirections {
+public:
+    DirectionsTogether(DrivenStepper stepper, std::size_t count)
+        : stepper_(std::move(stepper)), x_(stepper_.initial()), count_(count) {
+        numbers_.resize(count * size());
+    }
+
+    Status step(double h) override { return stepper_.carry(x_, numbers_, count_, h); }
+
+    std::vector<DirectionVector> all() const override {
+        std::vector<DirectionVector> result;
+        const auto step = static_cast<std::ptrdiff_t>(size());
+        for (auto next = numbers_.begin(); next != numbers_.end(); next += step)
+            result.emplace_back(next, next + step);
+        return result;
+    }
+
+    void set(const std::vector<DirectionVector>& all) override {
+        numbers_.clear();
+        for (const DirectionVector& v : all) numbers_.insert(numbers_.end(), v.begin(), v.end());
+    }
+
+    DrivenStepper::State state() const override { return {{x_.q, x_.p}}; }
+
+private:
+    [[nodiscard]] std::size_t size() const { return x_.q.size() + x_.p.size(); }
+
+    DrivenStepper stepper_;
+    DrivenStepper::State x_;
+    std::vector<double> numbers_;
+    std::size_t count_;
+};
+
+/// Directions that have a stepper of their own each, for states (q, dq), (dp, p). All go along the
+/// motion of the first: where rounding makes another one of it, as stages are solved for, the
+/// others are put back.
+class DirectionsApart : public MovedDirections {
+public:
+    explicit DirectionsApart(std::size_t count) {
+        for (std::size_t k = 0; k < count; ++k) {
+            steppers_.push_back(DrivenProblem::stepper());
+            states_.push_back(steppers_.back().initial());
+        }
+    }
+
+    Status step(double h) override {
+        const auto n = static_cast<std::ptrdiff_t>(degrees());
+        for (std::size_t k = 0; k < states_.size(); ++k) {
+            DrivenStepper::State& x = states_[k];
+            const Status status = steppers_[k].step(x, h);
+            if (!status.ok()) return status;
+            if (k == 0) continue;
+            const DrivenStepper::State& first = states_.front();
+            std::copy(first.q.begin(), first.q.begin() + n, x.q.begin());
+            std::copy(first.p.begin() + n, first.p.end(), x.p.begin() + n);
+        }
+        return {};
+    }
+
+    std::vector<DirectionVector> all() const override {
+        std::vector<DirectionVector> result;
+        for (const DrivenStepper::State& x : states_) result.push_back(direction_of(x));
+        return result;
+    }
+
+    void set(const std::vector<DirectionVector>& all) override {
+        const auto n = static_cast<std::ptrdiff_t>(degrees());
+        for (std::size_t k = 0; k < all.size(); ++k) {
+            DrivenStepper::State& x = states_[k];
+            std::copy(all[k].begin(), all[k].begin() + n, x.q.begin() + n);
+            std::copy(all[k].begin() + n, all[k].end(), x.p.begin());
+        }
+    }
+
+    DrivenStepper::State state() const override {
+        const auto n = static_cast<std::ptrdiff_t>(degrees());
+        const DrivenStepper::State& both = states_.front();
+        DrivenStepper::State x;
+        x.q.assign(both.q.begin(), both.q.begin() + n);
+        x.p.assign(both.p.begin() + n, both.p.end());
+        return x;
+    }
+
+private:
+    /// Half the numbers of a direction.
+    [[nodiscard]] std::size_t degrees() const { return states_.front().q.size() / 2; }
+
+    std::vector<DrivenStepper> steppers_;
+    std::vector<DrivenStepper::State> states_;
+};
+
+std::unique_ptr<MovedDirections> moved(std::size_t count) {
+    DrivenStepper stepper = DrivenProblem::stepper();
+    if (stepper.carries_directions())
+        return std::make_unique<DirectionsTogether>(std::move(stepper), count);
+    return std::make_unique<DirectionsApart>(count);
+}
+
+}  // namespace
+
+std::size_t degrees_of_problem() {
+    const DrivenStepper stepper = DrivenProblem::stepper();
+    const std::size_t degrees = stepper.initial().q.size();
+    return stepper.carries_directions() ? degrees : degrees / 2;
+}
+
+Directions::Directions(const std::vector<DirectionVector>& start, FindMotion motion)
+    : moved_(moved(start.size())), motion_(std::move(motion)) {
+    set(start);
 }
 
 std::vector<DirectionVector> Directions::all() const {
@@ -97,26 +180,11 @@ std::vector<DirectionVector> Directions::all() const {
 }
 
 void Directions::set(const std::vector<DirectionVector>& all) {
+    if (!motion_) return moved_->set(all);
     std::vector<DirectionVector> whole = all;
-    if (motion_) {
-        const DirectionsAtOneTime at_one_time(motion_(state()));
-        for (DirectionVector& v : whole) v = at_one_time.with_time(v);
-    }
-    const auto n = static_cast<std::ptrdiff_t>(degrees());
-    for (std::size_t k = 0; k < whole.size(); ++k) {
-        DrivenStepper::State& x = states_[k];
-        std::copy(whole[k].begin(), whole[k].begin() + n, x.q.begin() + n);
-        std::copy(whole[k].begin() + n, whole[k].end(), x.p.begin());
-    }
-}
-
-DrivenStepper::State Directions::state() const {
-    const auto n = static_cast<std::ptrdiff_t>(degrees());
-    const DrivenStepper::State& both = states_.front();
-    DrivenStepper::State x;
-    x.q.assign(both.q.begin(), both.q.begin() + n);
-    x.p.assign(both.p.begin() + n, both.p.end());
-    return x;
+    const DirectionsAtOneTime at_one_time(motion_(state()));
+    for (DirectionVector& v : whole) v = at_one_time.with_time(v);
+    moved_->set(whole);
 }
 
 std::vector<double> orthonormalize(std::vector<DirectionVector>& all) {

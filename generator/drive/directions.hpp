@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -47,38 +48,49 @@ private:
     std::size_t n_;  ///< coordinates, the time included
 };
 
-/// Directions that begin where the scene does. Each has a stepper of its own, for states (q, dq),
-/// (dp, p), and all go along the motion of the first: where rounding makes another one of it, as
-/// stages are solved for, the others are put back. Of scaled time directions are those of H, at
-/// one time.
+/// Directions that steps carry along with a state, which begins where the scene does.
+class MovedDirections {
+public:
+    MovedDirections() = default;
+    virtual ~MovedDirections() = default;
+    MovedDirections(const MovedDirections&) = delete;
+    MovedDirections& operator=(const MovedDirections&) = delete;
+
+    /// Unless the status is ok, they are not to be used any more.
+    [[nodiscard]] virtual Status step(double h) = 0;
+    [[nodiscard]] virtual std::vector<DirectionVector> all() const = 0;
+    /// Precondition: there are as many.
+    virtual void set(const std::vector<DirectionVector>& all) = 0;
+    /// Coordinates and momenta alone.
+    [[nodiscard]] virtual DrivenStepper::State state() const = 0;
+};
+
+/// Directions along one motion. Of scaled time they are those of H, at one time.
 class Directions {
 public:
     /// `motion` is that of scaled time, and nothing where time is not scaled.
     Directions(const std::vector<DirectionVector>& start, FindMotion motion);
 
     /// Takes a step with all. Unless the status is ok, they are not to be used any more.
-    [[nodiscard]] Status step(double h);
+    [[nodiscard]] Status step(double h) { return moved_->step(h); }
 
     [[nodiscard]] std::vector<DirectionVector> all() const;
     /// Replaces all of them. Precondition: there are as many.
     void set(const std::vector<DirectionVector>& all);
 
     /// Directions as the steps carry them along, with parts along time and e, where there are.
-    [[nodiscard]] std::vector<DirectionVector> carried() const;
+    [[nodiscard]] std::vector<DirectionVector> carried() const { return moved_->all(); }
 
     /// The state that all go along.
-    [[nodiscard]] DrivenStepper::State state() const;
+    [[nodiscard]] DrivenStepper::State state() const { return moved_->state(); }
 
 private:
-    /// Half the numbers of a direction that is carried along.
-    [[nodiscard]] std::size_t degrees() const { return states_.front().q.size() / 2; }
-
-    std::vector<DrivenStepper> steppers_;
-    std::vector<DrivenStepper::State> states_;
+    std::unique_ptr<MovedDirections> moved_;
     FindMotion motion_;
 };
 
-/// Degrees of freedom of DrivenProblem, whose states have directions; a scaled time is one of them.
+/// Degrees of freedom of DrivenProblem, whose steps or states have directions; a scaled time is one
+/// of them.
 [[nodiscard]] std::size_t degrees_of_problem();
 
 /// Makes the directions orthonormal, one after the other (Gram and Schmidt, twice), and returns

@@ -62,6 +62,14 @@ Run DrivenStepper::follow(State& x, double h, std::int64_t steps,
         x, [&](double* all) { return stepper_->follow(all, h, steps, departures.data()); });
 }
 
+Status DrivenStepper::carry(State& x, std::vector<double>& directions, std::size_t count,
+                            double h) {
+    const auto take = [&](double* all) {
+        return stepper_->carrier()->carry(all, directions.data(), count, h);
+    };
+    return advanced(x, take).status;
+}
+
 std::vector<std::string> DrivenStepper::conserved() const {
     std::vector<std::string> names(sizes_.invariants, "invariant");
     if (!sizes_.has_time) names.insert(names.begin(), "energy");

@@ -38,6 +38,12 @@ public:
     /// Takes steps as advance() does, and looks after each at what is conserved().
     [[nodiscard]] Run follow(State& x, double h, std::int64_t steps,
                              std::vector<detail::Departure>& departures);
+    /// Whether steps carry directions along; else states may be those of with_tangent().
+    [[nodiscard]] bool carries_directions() const { return stepper_->carrier() != nullptr; }
+    /// Takes a step, and so many directions along: of each its numbers in a row. Throws as
+    /// advance() does. Precondition: steps carry them.
+    [[nodiscard]] Status carry(State& x, std::vector<double>& directions, std::size_t count,
+                               double h);
     /// Forgets what steps have left behind: what follows has the bits of a new stepper.
     void reset() { stepper_->reset(); }
     [[nodiscard]] std::int64_t evaluations() const { return stepper_->counts().evaluations; }

@@ -39,7 +39,7 @@ void* made(const detail::DrivenFunctions& call, const ModuleStart& start) {
 }
 
 /// A stepper of a library, by the functions of that.
-class LoadedStepper : public NumberStepper {
+class LoadedStepper : public NumberStepper, private DirectionCarrier {
 public:
     LoadedStepper(const detail::DrivenFunctions& call, const ModuleStart& start)
         : call_(call), stepper_(made(call, start)) {}
@@ -57,6 +57,9 @@ public:
                              detail::Departure* departures) override {
         return call_.follow(stepper_, state, h, steps, departures);
     }
+    [[nodiscard]] DirectionCarrier* carrier() override {
+        return call_.carry == nullptr ? nullptr : this;
+    }
     void reset() override { call_.reset(stepper_); }
     [[nodiscard]] double energy(const double* state) const override {
         return call_.energy(stepper_, state);
@@ -66,6 +69,11 @@ public:
     }
 
 private:
+    [[nodiscard]] int carry(double* state, double* directions, std::size_t count,
+                            double h) override {
+        return call_.carry(stepper_, state, directions, count, h);
+    }
+
     const detail::DrivenFunctions& call_;
     void* stepper_;
 };

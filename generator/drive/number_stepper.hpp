@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -10,6 +11,18 @@
 #include <hvi/detail/module/driven_functions.hpp>
 
 namespace hvi::gen {
+
+/// Steps that carry directions along; see hvi::detail::DrivenFunctions.
+class DirectionCarrier {
+public:
+    DirectionCarrier() = default;
+    virtual ~DirectionCarrier() = default;
+    DirectionCarrier(const DirectionCarrier&) = delete;
+    DirectionCarrier& operator=(const DirectionCarrier&) = delete;
+
+    [[nodiscard]] virtual int carry(double* state, double* directions, std::size_t count,
+                                    double h) = 0;
+};
 
 /// A stepper whose states are numbers in a row: coordinates, momenta, and the time where H depends
 /// on it. See hvi::detail::DrivenFunctions, whose functions these are.
@@ -26,6 +39,8 @@ public:
     [[nodiscard]] virtual int take(double* state, double h, std::int64_t steps) = 0;
     [[nodiscard]] virtual int follow(double* state, double h, std::int64_t steps,
                                      detail::Departure* departures) = 0;
+    /// The stepper itself, where its steps carry directions along; else nullptr.
+    [[nodiscard]] virtual DirectionCarrier* carrier() { return nullptr; }
     virtual void reset() = 0;
     [[nodiscard]] virtual double energy(const double* state) const = 0;
     virtual void invariants(const double* state, double* values) const = 0;

@@ -26,9 +26,10 @@ struct TangentWishes {
     [[nodiscard]] bool any() const { return matrix || largest || spectrum || sali || own; }
 };
 
-/// Takes the steps of DrivenProblem, whose states are those of with_tangent(), and says what was
-/// measured. Of scaled time directions are those at one time. Norms are of numbers as they stand in
-/// q and p, whatever their units. The status of its end is 0 also where a step failed.
+/// Takes the steps of DrivenProblem, which carry directions along or whose states are those of
+/// with_tangent(), and says what was measured. Of scaled time directions are those at one time.
+/// Norms are of numbers as they stand in q and p, whatever their units. The status of its end is 0
+/// also where a step failed.
 [[nodiscard]] int take_tangents(const TangentWishes& wishes);
 
 }  // namespace hvi::gen

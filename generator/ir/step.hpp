@@ -251,6 +251,12 @@ struct StageCorrections {
     SolverCosts costs = {};
 };
 
+/// What a step moves beside the state.
+enum class Carries {
+    nothing,
+    directions,  ///< any number of them, by its derivative, with the stages of (q, p)
+};
+
 /// A choice, and why.
 struct Decision {
     std::string what;
@@ -289,6 +295,7 @@ struct Step {
     std::size_t register_width = widest_register;
     /// How many values dH/dp takes from the dH/dq before it, of stages in lanes.
     std::size_t shared_slopes = 0;
+    Carries carries = Carries::nothing;
     std::vector<Decision> decisions;
 
     [[nodiscard]] bool is_separable() const { return slopes == Slopes::of_parts; }

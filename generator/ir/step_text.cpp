@@ -248,6 +248,7 @@ std::string dump(const Step& step) {
         result += fmt::format("registers of: {}\n", step.register_width);
         result += fmt::format("shared slopes: {}\n", step.shared_slopes);
     }
+    if (step.carries == Carries::directions) { result += "carries: directions\n"; }
     if (step.corrections) {
         const SolverCosts& costs = step.corrections->costs;
         result += lines(step.corrections->modes) +

@@ -6,6 +6,7 @@
 #include <utility>
 #include <variant>
 
+#include "generator/emit/steps/along.hpp"
 #include "generator/emit/steps/emit.hpp"
 #include "generator/emit/system/scene_code.hpp"
 #include "generator/module/start_parameters.hpp"
@@ -70,7 +71,7 @@ std::string class_text(const SceneStepper& stepper, const System& system, Seldom
               .wishes = stepper.members,
               .evaluations = stepper.evaluations ? &*stepper.evaluations : nullptr,
               .seldom = seldom});
-    return without_once(code_of(header));
+    return include_of_along(stepper.step) + without_once(code_of(header));
 }
 
 /// NOTE: g++ takes three quarters of its time for <cmath> to read Bessel functions and the like,

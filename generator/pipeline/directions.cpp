@@ -19,22 +19,43 @@ StepToEmit to_emit(const SceneStepper& stepper) {
              .evaluations = stepper.evaluations ? &*stepper.evaluations : nullptr}};
 }
 
-/// Wishes for the stepper of directions: explicit steps are taken for eight side by side.
-///
-/// NOTE: where stages are solved for, these are side by side already. Measured with AVX-512 and
-/// gauss:4, in steps a direction, eight side by side and one by one: Kepler 1.1 and 1.4, outer
-/// solar system 3.6 and 1.4.
-StepperWishes wishes_of_carrier(const SceneStepper& stepper, const StepperWishes& wishes) {
+/// Wishes for a stepper of the motion together with a direction.
+StepperWishes wishes_of_carrier(const StepperWishes& wishes) {
     StepperWishes result;
     result.solver = wishes.solver;
     result.unroll = wishes.unroll;
     result.composition = wishes.composition;
     result.float128 = wishes.float128;
-    const bool takes_several = stepper.step.container == Container::arrays && !wishes.float128 &&
-                               wishes.lanes.choice != Lanes::none &&
-                               std::holds_alternative<ExplicitStep>(stepper.step.form);
-    result.lanes = {takes_several ? Lanes::ensemble : wishes.lanes.choice};
+    result.lanes = {wishes.lanes.choice};
     return result;
+}
+
+/// Whether each momentum of a stage is that of a position.
+bool has_pairs(const Step& step) {
+    return std::holds_alternative<PairStep>(step.form) &&
+           step.positions.size() == step.momenta.size();
+}
+
+/// Whether the steps themselves carry directions: those that solve nothing, and those whose
+/// unknowns are stages of an H that is written out.
+bool carries_along(const SceneStepper& stepper, const StepperWishes& wishes) {
+    const Step& step = stepper.step;
+    if (step.container != Container::arrays || stepper.system.side != Side::hamiltonian ||
+        wishes.float128) {
+        return false;
+    }
+    if (std::holds_alternative<ExplicitStep>(step.form)) { return true; }
+    return !step.from_parameter && step.iteration() != nullptr &&
+           (has_pairs(step) || std::holds_alternative<VelocityStep>(step.form));
+}
+
+/// Makes them do so.
+void carry_directions(SceneStepper& stepper) {
+    stepper.step.carries = Carries::directions;
+    stepper.step.decisions.push_back(
+        {"directions go along with the stages of (q, p)",
+         "their equations are linear, and share what second derivatives have of these"});
+    stepper.evaluations->directions = direction_kernels(stepper.system);
 }
 
 }  // namespace
@@ -46,15 +67,32 @@ void add_directions(SceneStepper& stepper, const Method& method, const Scene& sc
         throw InputError("--tangent is not built for ensembles, whose steps are those of eight "
                          "trajectories",
                          wishes.lanes.place);
-    refuse_scale(scene, option);
-    const SceneStepper carrier =
-        tangent_stepper(method, scene, wishes_of_carrier(stepper, wishes), option);
+    check_directions(scene, option);
     const bool is_symmetric =
         hvi::gen::is_symmetric(ExactMethod{{method, wishes.composition}, stepper.method.base});
-    StepToEmit main = to_emit(stepper);
-    main.options.note = wishes.note;
-    stepper.header = emit_with_directions(
-        main, to_emit(carrier), is_symmetric ? PulledBack::step_back : PulledBack::columns);
+    const PulledBack pulled_back = is_symmetric ? PulledBack::step_back : PulledBack::columns;
+    if (carries_along(stepper, wishes)) {
+        carry_directions(stepper);
+        StepToEmit along = to_emit(stepper);
+        along.options.note = wishes.note;
+        stepper.header = emit_with_directions(along, pulled_back);
+        return;
+    }
+    StepToEmit apart = to_emit(stepper);
+    apart.options.note = wishes.note;
+    const SceneStepper carrier = tangent_stepper(method, scene, wishes_of_carrier(wishes), option);
+    stepper.header = emit_with_directions_apart(apart, to_emit(carrier), pulled_back);
+}
+
+SceneStepper stepper_of_directions(const SceneStepper& stepper, const Method& method,
+                                   const Scene& scene, const StepperWishes& wishes,
+                                   std::string_view what) {
+    if (scene.scale || !carries_along(stepper, wishes))
+        return tangent_stepper(method, scene, wishes, what);
+    check_directions(scene, what);
+    SceneStepper result = stepper;
+    carry_directions(result);
+    return result;
 }
 
 }  // namespace hvi::gen

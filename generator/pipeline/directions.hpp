@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include <string_view>
+
 #include "generator/pipeline/stepper.hpp"
 
 namespace hvi::gen {
@@ -10,5 +12,11 @@ namespace hvi::gen {
 /// tangent_stepper() does, and for an ensemble. Precondition: the stepper is of these arguments.
 void add_directions(SceneStepper& stepper, const Method& method, const Scene& scene,
                     const StepperWishes& wishes);
+
+/// A stepper for the directions of a run, whose steps carry them along, or that of
+/// tangent_stepper(). Throws as that does. Precondition: `stepper` is of these arguments.
+[[nodiscard]] SceneStepper stepper_of_directions(const SceneStepper& stepper, const Method& method,
+                                                 const Scene& scene, const StepperWishes& wishes,
+                                                 std::string_view what);
 
 }  // namespace hvi::gen

@@ -83,6 +83,8 @@ SceneStepper stepper_of(const Method& method, const Scene& scene, WithoutLoops w
 
 }  // namespace
 
+void check_directions(const Scene& scene, std::string_view what) { check_scene(scene, what); }
+
 SceneStepper tangent_stepper(const Method& method, const Scene& scene, const StepperWishes& wishes,
                              std::string_view what) {
     check_motion(scene, what);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "generator/ir/step.hpp"
+#include "generator/lower/direction_kernels.hpp"
 #include "generator/lower/gradient_kernels.hpp"
 
 namespace hvi::gen {
@@ -39,12 +40,13 @@ struct Tangents {
 /// A tabulated step evaluates nothing, and one of joint slopes both gradients at once alone.
 struct Evaluations {
     GradientKernels gradients;
-    std::optional<Kernel> inverse_mass;         ///< see Structure
-    std::optional<Kernel> shared;               ///< by_q, then what by_conjugates_at_q takes of it
-    std::optional<Kernel> stiffness;            ///< of StiffComponents
-    std::optional<SecondDerivatives> constant;  ///< terms of them, of CoupledConstants
-    std::optional<SecondDerivatives> second;    ///< where an iteration needs some
-    std::optional<Tangents> tangents;           ///< for Solver::newton_taylor
+    std::optional<Kernel> inverse_mass;          ///< see Structure
+    std::optional<Kernel> shared;                ///< by_q, then what by_conjugates_at_q takes of it
+    std::optional<Kernel> stiffness;             ///< of StiffComponents
+    std::optional<SecondDerivatives> constant;   ///< terms of them, of CoupledConstants
+    std::optional<SecondDerivatives> second;     ///< where an iteration needs some
+    std::optional<Tangents> tangents;            ///< for Solver::newton_taylor
+    std::optional<DirectionKernels> directions;  ///< of Carries::directions
 };
 
 [[nodiscard]] Evaluations evaluations(const System& system, GradientKernels gradients,

@@ -31,7 +31,8 @@ struct TangentFindings {
     std::string fault = {};  ///< why a step failed; empty where none did
 };
 
-/// Throws as ask() does. Precondition: the target has a stepper of tangent_stepper().
+/// Throws as ask() does. Precondition: the target has a stepper of stepper_of_directions(),
+/// or of tangent_stepper().
 [[nodiscard]] TangentFindings find_tangents(const Target& target, const TangentWishes& wishes,
                                             const std::function<void(double)>& on_progress);
 

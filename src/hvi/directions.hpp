@@ -2,14 +2,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
-#include <iterator>
-#include <utility>
+#include <type_traits>
 #include <vector>
 
+#include <hvi/detail/directions/carried_along.hpp>
+#include <hvi/detail/directions/carried_apart.hpp>
+#include <hvi/detail/directions/moves_along.hpp>
+#include <hvi/detail/directions/stages_along.hpp>
 #include <hvi/detail/stages/system.hpp>
-#include <hvi/detail/trajectories/carriers.hpp>
 #include <hvi/state.hpp>
 
 namespace hvi {
@@ -20,8 +21,9 @@ enum class PullBack {
     columns,    ///< by the derivative of the step, column by column
 };
 
-/// `Stepper` is a stepper of a scene, and `Carrier` one of the same method for the motion together
-/// with a direction: `hvi-gen stepper --tangent` writes both, and a name for this class.
+/// `Stepper` is a stepper of a scene. `Carrier` carries directions along: the same class, whose
+/// steps do, or one of the same method for the motion together with a direction. `hvi-gen stepper
+/// --tangent` writes both, and a name for this class.
 ///
 /// A step takes a state x to Phi(x). It takes a direction d at x to D d, where D is the derivative
 /// of Phi at x, exactly but for rounding: the method is applied to K = H_q dq + H_p dp, which moves
@@ -92,15 +94,10 @@ public:
     template <class Directions>
     [[nodiscard]] Status step(State& x, Directions& d, Scalar h) {
         if (h == 0) { return {}; }
-        moved_.assign(std::begin(d), std::end(d));
-        for (const State& each : moved_) {
+        for (const State& each : d) {
             if (!fits(x, each)) { return Status(Status::Code::dimension_mismatch); }
         }
-        const Status carried = ahead_.step(x, moved_, h);
-        if (!carried.ok()) { return carried; }
-        const Status status = Stepper::step(x, h);
-        if (status.ok()) { std::copy(moved_.begin(), moved_.end(), std::begin(d)); }
-        return status;
+        return ahead_.advance(static_cast<Stepper&>(*this), x, d, h);
     }
 
     /// Takes the derivative of a function by the state after the step of size h from x to that by
@@ -151,20 +148,22 @@ private:
 
     /// Multiplies by the columns of D, one for each component of the state.
     [[nodiscard]] Status pull_back_columns(const State& x, State& lambda, Scalar h) {
-        const std::size_t n = static_cast<std::size_t>(x.q.size());
+        const std::size_t degrees = static_cast<std::size_t>(x.q.size());
         State zero = lambda;
-        for (std::size_t k = 0; k < n; ++k) { detail::at(zero.q, k) = detail::at(zero.p, k) = 0; }
-        moved_.assign(2 * n, zero);
-        for (std::size_t k = 0; k < n; ++k) {
+        for (std::size_t k = 0; k < degrees; ++k) {
+            detail::at(zero.q, k) = detail::at(zero.p, k) = 0;
+        }
+        moved_.assign(2 * degrees, zero);
+        for (std::size_t k = 0; k < degrees; ++k) {
             detail::at(moved_[k].q, k) = 1;
-            detail::at(moved_[n + k].p, k) = 1;
+            detail::at(moved_[degrees + k].p, k) = 1;
         }
         const Status status = back_.step(x, moved_, h);
         if (!status.ok()) { return status; }
         State result = lambda;
-        for (std::size_t k = 0; k < n; ++k) {
+        for (std::size_t k = 0; k < degrees; ++k) {
             detail::at(result.q, k) = product(lambda, moved_[k]);
-            detail::at(result.p, k) = product(lambda, moved_[n + k]);
+            detail::at(result.p, k) = product(lambda, moved_[degrees + k]);
         }
         lambda = result;
         return status;
@@ -179,8 +178,12 @@ private:
         return sum;
     }
 
+    using Carriers =
+        std::conditional_t<std::is_same_v<Carrier, Stepper>, detail::CarriedAlong<Stepper>,
+                           detail::CarriedApart<Carrier, State>>;
+
     Stepper probe_;  ///< finds where the step ends that a covector is pulled back along
-    detail::Carriers<Carrier> ahead_, back_;
+    Carriers ahead_, back_;
     std::vector<State> moved_;
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "generator/emit/steps/along.hpp"
 #include "generator/emit/steps/clock.hpp"
 #include "generator/emit/steps/explicit_moves.hpp"
 #include "generator/emit/steps/header.hpp"
@@ -21,6 +22,7 @@ public:
 
     void write(const Move& move) {
         evaluate(move);
+        carry(move);
         add(move, within(move.kick));
         (move.kick ? kicked_ : drifted_) = true;
     }
@@ -30,11 +32,13 @@ public:
     /// be a call of memcpy; see hvi::detail::copy().
     void finish(const Move& last) {
         evaluate(last);
+        carry(last);
         add(last, "end");
         const std::string other = within(!last.kick);
         writer_.blank();
         writer_.line("if (!hvi::detail::finite({}, end)) {{ {} }}", other,
                      "return Status(Status::Code::not_finite);");
+        writer_.insert(end_of_moves(step_));
         if (step_.kept.any()) { writer_.line("known_ = true;"); }
         writer_.line("hvi::detail::copy({}, x.{});", other, other_names(last).moved);
         add(last, fmt::format("x.{}", names(last).moved));
@@ -63,10 +67,19 @@ private:
         writer_.close();
     }
 
+    /// Where the slope of a move is evaluated.
+    [[nodiscard]] std::string point_of(const Move& move) const {
+        const bool other_moved = move.kick ? drifted_ : kicked_;
+        return other_moved ? within(!move.kick) : fmt::format("x.{}", other_names(move).moved);
+    }
+
+    void carry(const Move& move) {
+        writer_.insert(carry_by_move(step_, move, point_of(move), size(step_, move)));
+    }
+
     void evaluate(const Move& move) {
         const bool other_moved = move.kick ? drifted_ : kicked_;
-        const std::string at =
-            other_moved ? within(!move.kick) : fmt::format("x.{}", other_names(move).moved);
+        const std::string at = point_of(move);
         const std::string call = evaluation(step_, move, at);
         if (!keeps(step_, move.kick) || other_moved) {
             writer_.line("{}", call);
@@ -246,6 +259,7 @@ std::string emit_one(const OneStepMethod& method, const Step& step, const Explic
     Holes holes = holes_of(system);
     holes.merge(Holes{{"support", support(step, parts, options, rounds)},
                       {"parameter", parameter_text(step)},
+                      {"along", along_argument(step, StepFunction::whole)},
                       {"begins", begins(step)},
                       {"weights", weights},
                       {"fits", fits_text(step, parts)},

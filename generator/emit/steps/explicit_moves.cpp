@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "generator/emit/steps/along.hpp"
 #include "generator/emit/steps/clock.hpp"
 #include "generator/emit/steps/header.hpp"
 #include "generator/emit/steps/slope_calls.hpp"
@@ -35,6 +36,11 @@ private:
     /// A move, and the stage value that it leads to unless the step ends there.
     void write(const Move& move, bool is_last) {
         evaluate(move);
+        if (!dimension_) {
+            writer_.insert(
+                carry_by_move(step_, move, value(!move.kick),
+                              sums_ == Sums::compensated ? weight(move) : size(step_, move)));
+        }
         const MoveNames& its = names(move);
         const bool is_apart = sums_ == Sums::compensated;
         for_components([&](std::string_view k) {
@@ -50,8 +56,11 @@ private:
     }
 
     [[nodiscard]] std::string weighed(const Move& move, std::string_view k) const {
-        return fmt::format("weights_.{}[{}] * {}[{}]", names(move).moved, move.index,
-                           slope(step_, move), k);
+        return fmt::format("{} * {}[{}]", weight(move), slope(step_, move), k);
+    }
+
+    [[nodiscard]] static std::string weight(const Move& move) {
+        return fmt::format("weights_.{}[{}]", names(move).moved, move.index);
     }
 
     /// Where p, or q, is: of one trajectory in the state until it is moved.
@@ -124,12 +133,15 @@ std::string slope(const Step& step, const Move& move) {
     return step.layout == Layout::trajectories ? "kept" : std::string(names(move).kept);
 }
 
-std::string change(const Step& step, const Move& move, std::string_view k) {
+std::string size(const Step& step, const Move& move) {
     const StageValue& value = (move.kick ? step.positions : step.momenta)[move.index];
     return equal(value.weight, 1)
-               ? fmt::format("h * {}[{}]", slope(step, move), k)
-               : fmt::format("h * {}{}[{}] * {}[{}]", owner(step, "s_"), names(move).weights,
-                             move.index, slope(step, move), k);
+               ? "h"
+               : fmt::format("h * {}{}[{}]", owner(step, "s_"), names(move).weights, move.index);
+}
+
+std::string change(const Step& step, const Move& move, std::string_view k) {
+    return fmt::format("{} * {}[{}]", size(step, move), slope(step, move), k);
 }
 
 std::string evaluation(const Step& step, const Move& move, std::string_view at) {
@@ -160,6 +172,7 @@ std::string compensated_moves_text(const Step& step) {
         "if (!sums_.begin(x, dq, dp)) {{ return Status(Status::Code::unsafe_arithmetic); }}");
     writer.line("{}", weigh);
     SummedMoves(writer, step, Sums::compensated).write_all();
+    writer.insert(end_of_moves(step));
     writer.line("if (!sums_.end(x, dq, dp, q, p)) {{ return Status(Status::Code::not_finite); }}");
     if (step.kept.any()) { writer.line("known_ = true;"); }
     return writer.str();

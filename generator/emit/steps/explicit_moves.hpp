@@ -37,6 +37,9 @@ struct MoveNames {
 [[nodiscard]] std::string slope(const Step& step, const Move& move);
 [[nodiscard]] std::string evaluation(const Step& step, const Move& move, std::string_view at);
 
+/// h b, with which a move takes its slope.
+[[nodiscard]] std::string size(const Step& step, const Move& move);
+
 /// h b times component k of the slope, with h b computed there and then.
 [[nodiscard]] std::string change(const Step& step, const Move& move, std::string_view k);
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <algorithm>
 
+#include "generator/emit/steps/along.hpp"
 #include "generator/emit/steps/clock.hpp"
 #include "generator/emit/steps/curve_tables.hpp"
 #include "generator/emit/steps/implicit_parts.hpp"
@@ -61,6 +62,8 @@ std::string one_step(const Step& step, const std::string& body, const EmitOption
         "step.hpp.in",
         {{"name", step.in_a_row.empty() ? "step" : "part_of_step"},
          {"part", has_parts ? ", std::size_t part, Scalar size_before" : ""},
+         {"along",
+          along_argument(step, step.in_a_row.empty() ? StepFunction::whole : StepFunction::part)},
          {"sizes", has_parts ? "h, size_before" : "h"},
          {"begins", begins(step)},
          {"clock", clock_begins(step, options.wishes.action ? "s_.forget()" : "reset()")},
@@ -73,8 +76,11 @@ std::string composed_step(const Step& step, bool has_action) {
     const std::string status = "Status(Status::Code::ok, iterations)";
     return fill_part(
         "composed_step.hpp.in",
-        {{"part",
-          takes_parts(step) ? "sizes[k], k, sizes[(k == 0 ? sizes.size() : k) - 1]" : "sizes[k]"},
+        {{"along", along_argument(step, StepFunction::whole)},
+         {"part",
+          fmt::format("sizes[k]{}{}",
+                      takes_parts(step) ? ", k, sizes[(k == 0 ? sizes.size() : k) - 1]" : "",
+                      along_passed(step))},
          {"first", alternates ? "is_adjoint_ = false;" : ""},
          {"next", alternates ? "is_adjoint_ = !is_adjoint_;" : ""},
          {"integral", where("Scalar integral = 0;")},
@@ -88,6 +94,7 @@ std::string emit_implicit(const OneStepMethod& method, const Step& step, const a
     const SystemPart system = system_part(method, step, options);
     const bool has_action = options.wishes.action;
     ImplicitParts parts = parts_of(step, form, options.wishes);
+    add_carry(parts, step);
     for (const std::string& header : clock_runtime(step)) { parts.runtime.push_back(header); }
     if (options.wishes.curve) { parts.runtime.push_back("detail/stages/curve"); }
     if (options.wishes.float128) { parts.runtime.push_back("detail/numbers/math"); }

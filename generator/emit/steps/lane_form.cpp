@@ -1,5 +1,6 @@
 // Stage equations in lanes.
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/emit/steps/along.hpp"
 #include "generator/emit/steps/clock.hpp"
 #include "generator/emit/steps/implicit_parts.hpp"
 #include "generator/emit/steps/slope_calls.hpp"
@@ -47,8 +48,9 @@ std::string steps_of_lanes(const Step& step, const std::vector<std::string>& fir
     for (const std::string& line : first) { writer.line("{}", line); }
     writer.line("predict({});", step.iteration()->takes_parts() ? "part" : "").blank();
     writer.line("status = solver_.solve({});", make_coupled(step));
-    writer.line("if (!status.ok()) {{ return status; }}").blank();
-    writer.line("s_.advance({});", arguments);
+    writer.line("if (!status.ok()) {{ return status; }}");
+    writer.insert(call_of_carry(step));
+    writer.blank().line("s_.advance({});", arguments);
     return writer.line("return {};", end_of_step(step, "status.iterations")).str();
 }
 

@@ -1,5 +1,6 @@
 // Stage equations of positions and momenta.
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/emit/steps/along.hpp"
 #include "generator/emit/steps/clock.hpp"
 #include "generator/emit/steps/implicit_parts.hpp"
 #include "generator/emit/steps/increments.hpp"
@@ -177,6 +178,7 @@ std::string steps_of_pairs(const Step& step, const SceneWishes& wishes) {
         }
     }
     writer.blank();
+    writer.insert(call_of_carry(step));
     updates.rest();
     const std::string end = end_of_step(step, several ? "iterations" : "status.iterations");
     if (wishes.action) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "generator/emit/steps/along.hpp"
 #include "generator/emit/steps/clock.hpp"
 #include "generator/emit/steps/header.hpp"
 #include "generator/emit/system/rotation_code.hpp"
@@ -158,13 +159,13 @@ std::string types_for_scene(const Step& step, const EmitOptions& options) {
     const System& system = *options.system;
     Writer writer(1);
     writer.line("using Scalar = Number;").insert(vector_types(system));
-    writer.blank().insert(options.parameters_of.empty()
-                              ? parameters_text(system)
-                              : parameters_from(options.parameters_of));
+    writer.blank().insert(options.parameters_of.empty() ? parameters_text(system)
+                                                        : parameters_from(options.parameters_of));
     writer.blank().insert(system_text(system, options.wishes, step, options.evaluations));
     if (step.iteration() != nullptr && step.layout != Layout::trajectories) {
         writer.blank().line("using Solver = {};", solver_type(step, options.seldom));
     }
+    writer.insert(type_of_along(step, options.evaluations));
     return writer.blank().str();
 }
 
@@ -206,7 +207,8 @@ std::string constructors_for_scene(const Step& step, const EmitOptions& options,
         writer.line("    : system_({}), coefficients_({}) {{}}", system, parameter);
     }
     writer.blank().insert(scene_members_text(*options.system, options.wishes, step));
-    if (!options.parameters_of.empty() && step.iteration() != nullptr) {
+    const bool carries = !options.parameters_of.empty() || step.carries == Carries::directions;
+    if (carries && step.iteration() != nullptr) {
         writer.line("/// See hvi::detail::go_on_from().");
         writer.line("void go_on_from(const State& x) {{ s_.go_on_from(x); }}");
     }

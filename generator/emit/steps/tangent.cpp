@@ -22,25 +22,40 @@ TemplateOfClass template_of(const System& system) {
             "<Number, Numbers>"};
 }
 
-}  // namespace
-
-std::string emit_with_directions(const StepToEmit& stepper, const StepToEmit& carrier,
-                                 PulledBack pulled_back) {
-    const std::string name = stepper.options.class_name;
-    EmitOptions of_stepper = stepper.options;
-    of_stepper.class_name = name + "Steps";
-    EmitOptions of_carrier = carrier.options;
-    of_carrier.class_name = name + "Directions";
-    of_carrier.parameters_of = of_stepper.class_name;
+/// `carrier`: the text of the class of the motion together with a direction, or nothing; `carries`:
+/// the class that carries directions.
+std::string with_directions(const StepToEmit& stepper, const std::string& carrier,
+                            const std::string& carries, PulledBack pulled_back) {
+    EmitOptions of_steps = stepper.options;
+    of_steps.class_name += "Steps";
     const TemplateOfClass head = template_of(*stepper.options.system);
     return fill("tangent.hpp.in",
                 {{"banner", banner(stepper.method, stepper.step, stepper.options)},
-                 {"stepper", emit_class(stepper.method, stepper.step, of_stepper)},
-                 {"carrier", emit_class(carrier.method, carrier.step, of_carrier)},
+                 {"stepper", emit_class(stepper.method, stepper.step, of_steps)},
+                 {"carrier", carrier},
+                 {"carries", carries},
                  {"head", head.head},
                  {"numbers", head.arguments},
-                 {"name", name},
+                 {"name", stepper.options.class_name},
                  {"pulls_back", pulled_back == PulledBack::step_back ? "step_back" : "columns"}});
+}
+
+}  // namespace
+
+std::string emit_with_directions(const StepToEmit& stepper, PulledBack pulled_back) {
+    return with_directions(stepper, "",
+                           fmt::format("Basic{}Steps{}", stepper.options.class_name,
+                                       template_of(*stepper.options.system).arguments),
+                           pulled_back);
+}
+
+std::string emit_with_directions_apart(const StepToEmit& stepper, const StepToEmit& carrier,
+                                       PulledBack pulled_back) {
+    EmitOptions of_carrier = carrier.options;
+    of_carrier.class_name = stepper.options.class_name + "Directions";
+    of_carrier.parameters_of = stepper.options.class_name + "Steps";
+    return with_directions(stepper, emit_class(carrier.method, carrier.step, of_carrier),
+                           fmt::format("Basic{}<Number>", of_carrier.class_name), pulled_back);
 }
 
 }  // namespace hvi::gen

@@ -21,9 +21,14 @@ enum class PulledBack {
     columns,
 };
 
+/// The header of the class that `stepper` names, whose steps carry directions themselves.
+/// Precondition: they are Carries::directions.
+[[nodiscard]] std::string emit_with_directions(const StepToEmit& stepper, PulledBack pulled_back);
+
 /// The header of the class that `stepper` names, made of its own and of one for the motion together
 /// with a direction. Precondition: `carrier` is of with_tangent() of the system of `stepper`.
-[[nodiscard]] std::string emit_with_directions(const StepToEmit& stepper,
-                                               const StepToEmit& carrier, PulledBack pulled_back);
+[[nodiscard]] std::string emit_with_directions_apart(const StepToEmit& stepper,
+                                                     const StepToEmit& carrier,
+                                                     PulledBack pulled_back);
 
 }  // namespace hvi::gen

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <algorithm>
 
+#include "generator/emit/steps/along.hpp"
 #include "generator/emit/steps/clock.hpp"
 #include "generator/emit/steps/implicit_parts.hpp"
 #include "generator/emit/steps/increments.hpp"
@@ -242,6 +243,7 @@ std::string steps_of_velocities(const Step& step, const VelocityStep& form) {
     }
     writer.blank();
     if (!q_is_done) { update_q(writer, form.form); }
+    writer.insert(call_of_carry(step));
     writer.line("s_.end_p(system_);");
     return writer.line("return {};", end_of_step(step, "status.iterations")).str();
 }

@@ -57,6 +57,7 @@ public:
             add_constant_terms();
             add_second();
             add_tangents();
+            add_directions();
         }
         for (const ClassValue& value : values_of_class(system_, wishes_)) {
             list_.add(value.name, {true, true, value.has_time}, value_of(*value.sums)).returns =
@@ -224,7 +225,14 @@ private:
     void add_inverse_mass() {
         if (evaluations_ != nullptr) {
             if (!evaluations_->inverse_mass) { return; }
-            list_.add_slope("inverse_mass", {false, true}, *evaluations_->inverse_mass);
+            const Kernel& kernel = *evaluations_->inverse_mass;
+            if (step_.has_lanes() || step_.carries == Carries::nothing) {
+                list_.add_slope("inverse_mass", {false, true}, kernel);
+            } else {
+                add_of_any("inverse_mass", {false, true},
+                           {kernel, components("out", system_.degrees_of_freedom())},
+                           {{"Values& out"}});
+            }
         } else if (std::holds_alternative<VelocityStep>(step_.form)) {
             list_.add("inverse_mass", no_variables, OneLine{"dHdp(v, out);"},
                       {{"const Vector& v"}, {"Vector& out"}}, "d2H/dp2 v, which is constant.");
@@ -309,6 +317,59 @@ private:
             .is_counted = counts_;
         list_.add("d2Hdq2", {true, false}, std::move(along),
                   {{"const Tangent& at", !kept.empty()}, v, {"Vector& out"}});
+    }
+
+    // ---- directions that steps carry along ----
+
+    /// d2H along directions: of the slopes that a step evaluates.
+    void add_directions() {
+        if (step_.carries == Carries::nothing) { return; }
+        const DirectionKernels& all = *evaluations_->directions;
+        const NodeNames dq = named(all.dq, "dq"), dp = named(all.dp, "dp");
+        const std::vector<std::string> out = components("out", all.dq.size());
+        if (std::holds_alternative<PairStep>(step_.form)) {
+            NodeNames both = dq;
+            both.insert(dp.begin(), dp.end());
+            add_along(
+                "", {true, true, has_time_}, all.both, both,
+                followed_by(components("by_q", all.dq.size()), components("by_p", all.dp.size())),
+                {{"const Values& dq"}, {"const Values& dp"}, {"Values& by_q"}, {"Values& by_p"}});
+            return;
+        }
+        add_along("_q", of_q_, all.by_q, dq, out, {{"const Values& dq"}, {"Values& out"}});
+        if (std::holds_alternative<ExplicitStep>(step_.form)) {
+            add_along("_p", of_p_, all.by_p, dp, out, {{"const Values& dp"}, {"Values& out"}});
+        }
+    }
+
+    /// A function that keeps what directions share at a point, and one that is called for each.
+    void add_along(const std::string& name, Takes takes, const DirectionKernel& kernel,
+                   const NodeNames& directions, const std::vector<std::string>& out,
+                   std::vector<Argument> arguments) {
+        const std::vector<std::string> kept = components("kept", kernel.kept.size());
+        const bool has_lanes = step_.has_lanes();
+        SystemFunction& point =
+            list_.add_of_lanes("keep" + name, takes, StraightCode{kernel.point, kept},
+                               {{has_lanes ? "Values& kept" : "Kept& kept", !kept.empty()}});
+        if (!has_lanes) { point.parameters = "class Kept"; }
+        StraightCode code{kernel.along, out, named(kernel.kept, "kept")};
+        code.names.insert(directions.begin(), directions.end());
+        arguments.insert(arguments.begin(), {"const Kept& kept", !kept.empty()});
+        add_of_any("along" + name, no_variables, std::move(code), std::move(arguments)).parameters =
+            "class Kept, class Values, class Value = hvi::detail::ScalarOf<Values>";
+    }
+
+    /// Adds code of numbers or of lanes, whatever the step takes: directions take both.
+    SystemFunction& add_of_any(std::string name, Takes takes, StraightCode code,
+                               std::vector<Argument> others) {
+        constexpr std::size_t small = 32;
+        const bool is_small = code.kernel.nodes.size() <= small;
+        code.takes_lanes = true;
+        SystemFunction& function =
+            list_.add(std::move(name), takes, std::move(code), std::move(others));
+        function.parameters = "class Values, class Value = hvi::detail::ScalarOf<Values>";
+        function.is_inlined = is_small;
+        return function;
     }
 
     /// The constants of a quadratic H that are not zero.

@@ -347,14 +347,18 @@ TEST_CASE("--tangent writes a stepper that carries directions along") {
     CHECK(has(gauss, "hvi-gen stepper --method gauss:2 kepler --energy --tangent\n"));
     CHECK(has(gauss, "hvi::PullBack::step_back"));
     CHECK(has(gauss, "#include <hvi/directions.hpp>"));
-    CHECK_FALSE(has(gauss, "hvi::Trajectories<"));
-    // Directions of explicit steps go side by side; a method that is not its own adjoint pulls
-    // covectors back by columns.
+    CHECK(has(gauss, "using Along = hvi::detail::StagesAlong<"));
+    // A method that is not its own adjoint pulls covectors back by columns.
     const std::string euler =
         hvi_gen({"stepper", "--method", "symplectic-euler", "henon-heiles", "--tangent"}).out;
-    CHECK(has(euler, "hvi::Trajectories<"));
+    CHECK(has(euler, "using Along = hvi::detail::MovesAlong<"));
     CHECK(has(euler, "hvi::PullBack::columns"));
-    std::istringstream text(gauss + euler);
+    // Directions of a Lagrangian have a stepper apart.
+    const std::string bead =
+        hvi_gen({"stepper", "--method", "gauss:2", "bead-on-hoop", "--tangent"}).out;
+    CHECK_FALSE(has(bead, "Along"));
+    CHECK(has(bead, "class BasicBeadOnHoopGauss2Directions"));
+    std::istringstream text(gauss + euler + bead);
     for (std::string line; std::getline(text, line);) CHECK(line.size() <= 100);
 }
 

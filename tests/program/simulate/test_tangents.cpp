@@ -155,6 +155,23 @@ TEST_CASE("the derivative is that of runs from starts nearby") {
     }
 }
 
+TEST_CASE("directions that share stages are those of the motion together with a direction") {
+    // NOTE: what is interpreted has a (q, p) of its own for each.
+    for (const std::string how :
+         {"--method stormer-verlet", "--method stormer-verlet --compose suzuki:4",
+          "--method gauss:4", "--method lobatto:3"}) {
+        CAPTURE(how);
+        const std::string words = "--tangent --lyapunov=spectrum --until 199/20 " + how;
+        const SceneRun one = run_scene(star, words);
+        const SceneRun other = run_scene(star, words + " --interpret");
+        REQUIRE(one.tangent.size() == 4);
+        REQUIRE(other.tangent.size() == 4);
+        for (std::size_t i = 0; i < 4; ++i)
+            for (std::size_t k = 0; k < 4; ++k)
+                CHECK(std::abs(one.tangent[i][k] - other.tangent[i][k]) < 1e-12);
+    }
+}
+
 TEST_CASE("the derivative stays symplectic over a hundred thousand steps") {
     for (const std::string how : {"--method stormer-verlet", "--method gauss:4"}) {
         const SceneRun found = run_scene(star, "--tangent --step 1/20 --until 5000 " + how);

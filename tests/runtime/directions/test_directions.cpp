@@ -12,21 +12,39 @@
 #include <type_traits>
 #include <vector>
 
+#include <directions/composed_nonseparable.hpp>
+#include <directions/driven_midpoint.hpp>
 #include <directions/driven_pendulum.hpp>
+#include <directions/driven_verlet.hpp>
+#include <directions/dual_composed_nonseparable.hpp>
+#include <directions/dual_driven_midpoint.hpp>
+#include <directions/dual_driven_pendulum.hpp>
+#include <directions/dual_driven_verlet.hpp>
 #include <directions/dual_euler_henon.hpp>
+#include <directions/dual_gauss_3_kepler.hpp>
+#include <directions/dual_kahan_li_kepler.hpp>
 #include <directions/dual_kepler.hpp>
 #include <directions/dual_lobatto_henon.hpp>
+#include <directions/dual_midpoint_kepler.hpp>
 #include <directions/dual_nonseparable.hpp>
+#include <directions/dual_radau_nonseparable.hpp>
+#include <directions/dual_stiff_pair.hpp>
+#include <directions/dual_stiff_spring.hpp>
 #include <directions/dual_verlet_henon.hpp>
 #include <directions/euler_henon.hpp>
+#include <directions/fixed_point_kepler.hpp>
+#include <directions/gauss_3_kepler.hpp>
 #include <directions/gauss_bead.hpp>
 #include <directions/gauss_chain.hpp>
 #include <directions/gauss_kepler.hpp>
 #include <directions/gauss_nonseparable.hpp>
 #include <directions/gauss_oscillator.hpp>
 #include <directions/kahan_li_kepler.hpp>
-#include <directions/fixed_point_kepler.hpp>
 #include <directions/lobatto_henon.hpp>
+#include <directions/midpoint_kepler.hpp>
+#include <directions/radau_nonseparable.hpp>
+#include <directions/stiff_pair.hpp>
+#include <directions/stiff_spring.hpp>
 #include <directions/verlet_chain.hpp>
 #include <directions/verlet_henon.hpp>
 
@@ -84,7 +102,7 @@ States<Stepper> columns_after(double h, int steps) {
 template <class Stepper, class Dual>
 double difference(double h, int steps) {
     Dual stepper{typename Dual::Parameters{}};
-    typename Dual::State x = Dual::initial();
+    typename Dual::State x = Start<Dual>::state();
     constexpr std::size_t n = 2 * degrees<Stepper>;
     for (std::size_t k = 0; k < n; ++k) {
         std::fill_n(component(x, k).by, n, 0);
@@ -171,6 +189,33 @@ TEST_CASE("directions are carried by the derivative of the steps") {
     CHECK(difference<LobattoHenon, BasicDualLobattoHenon<Dual<4>>>(0.1, 100) < 1e-13);
     CHECK(difference<VerletHenon, BasicDualVerletHenon<Dual<4>>>(0.1, 100) < 1e-13);
     CHECK(difference<EulerHenon, BasicDualEulerHenon<Dual<4>>>(0.1, 100) < 1e-13);
+    CHECK(difference<KahanLiKepler, BasicDualKahanLiKepler<Dual<4>>>(0.05, 100) < 1e-13);
+}
+
+TEST_CASE("directions are carried by stages of any number, of which some solve nothing") {
+    using hvi::driver::Dual;
+    CHECK(difference<Gauss3Kepler, BasicDualGauss3Kepler<Dual<4>>>(0.05, 100) < 1e-13);
+    CHECK(difference<MidpointKepler, BasicDualMidpointKepler<Dual<4>>>(0.05, 100) < 1e-13);
+    CHECK(difference<RadauNonseparable, BasicDualRadauNonseparable<Dual<2>>>(0.01, 50) < 1e-13);
+    CHECK(difference<ComposedNonseparable, BasicDualComposedNonseparable<Dual<2>>>(0.01, 50) <
+          1e-13);
+}
+
+TEST_CASE("directions look at H at the times of the stages") {
+    using hvi::driver::Dual;
+    CHECK(difference<DrivenPendulum, BasicDualDrivenPendulum<Dual<2>>>(0.1, 100) < 1e-13);
+    CHECK(difference<DrivenMidpoint, BasicDualDrivenMidpoint<Dual<2>>>(0.1, 100) < 1e-13);
+    CHECK(difference<DrivenVerlet, BasicDualDrivenVerlet<Dual<2>>>(0.1, 100) < 1e-13);
+}
+
+TEST_CASE("directions of stiff motion, where sweeps diverge, are solved for at once") {
+    using hvi::driver::Dual;
+    // NOTE: a step is ten radians of the spring, and three of the pair.
+    CHECK(difference<StiffSpring, BasicDualStiffSpring<Dual<2>>>(0.1, 50) < 1e-12);
+    CHECK(difference<StiffPair, BasicDualStiffPair<Dual<2>>>(0.1, 50) < 1e-12);
+    CHECK(defect<StiffSpring>(0.1, 1000) < 1e-12);
+    CHECK(defect<StiffPair>(0.1, 1000) < 1e-12);
+    CHECK(change_of_product<StiffSpring>(0.1, 101) < 1e-12);
 }
 
 TEST_CASE("the derivative of steps is symplectic to round-off") {
@@ -251,24 +296,52 @@ TEST_CASE("a state moves with the bits of a step without directions") {
     CHECK(x.p == y.p);
 }
 
-TEST_CASE("any number of directions goes along, each as if alone") {
+/// Steps with so many directions, which are multiples of one.
+template <class Stepper>
+void go_with(std::size_t count) {
     const double h = 0.1;
-    for (const std::size_t count : {0U, 1U, 7U, 8U, 9U, 17U}) {
-        VerletHenon stepper;
-        VerletHenon::State x = VerletHenon::initial();
-        std::vector<VerletHenon::State> D(count);
-        for (std::size_t k = 0; k < count; ++k) { D[k].q[0] = static_cast<double>(k + 1); }
-        std::vector<VerletHenon::State> one(1);
-        one[0].q[0] = 1;
-        VerletHenon alone;
-        VerletHenon::State y = x;
-        for (int step = 0; step < 20; ++step) {
-            REQUIRE(stepper.step(x, D, h).ok());
-            REQUIRE(alone.step(y, one, h).ok());
+    Stepper stepper, alone;
+    typename Stepper::State x = Start<Stepper>::state(), y = x;
+    States<Stepper> D(count), one(1);
+    one[0].q[0] = 1;
+    for (std::size_t k = 0; k < count; ++k) { D[k].q[0] = static_cast<double>(k + 1); }
+    for (int step = 0; step < 20; ++step) {
+        REQUIRE(stepper.step(x, D, h).ok());
+        REQUIRE(alone.step(y, one, h).ok());
+    }
+    for (std::size_t k = 0; k < count; ++k) {
+        for (std::size_t i = 0; i < 2 * degrees<Stepper>; ++i) {
+            const double expected = static_cast<double>(k + 1) * component(one[0], i);
+            CHECK(component(D[k], i) == Approx(expected).epsilon(1e-13).margin(1e-13));
         }
-        for (std::size_t k = 0; k < count; ++k) {
-            const double factor = static_cast<double>(k + 1);
-            CHECK(D[k].p[1] == Approx(factor * one[0].p[1]).epsilon(1e-14));
+    }
+}
+
+TEMPLATE_TEST_CASE("any number of directions goes along, each as if alone", "", VerletHenon,
+                   KahanLiKepler, GaussKepler, Gauss3Kepler, LobattoHenon, DrivenPendulum,
+                   DrivenMidpoint, DrivenVerlet, StiffSpring) {
+    for (const std::size_t count : {0U, 1U, 2U, 3U, 5U, 7U, 8U, 9U, 17U}) {
+        go_with<TestType>(count);
+    }
+}
+
+TEMPLATE_TEST_CASE("directions that stay behind for a while are taken along from where they are",
+                   "", VerletHenon, GaussKepler, DrivenVerlet) {
+    const double h = 0.1;
+    TestType stepper, fresh;
+    typename TestType::State x = Start<TestType>::state();
+    States<TestType> D(9), first(1);
+    for (typename TestType::State& d : D) { d.q[0] = 1; }
+    REQUIRE(stepper.step(x, D, h).ok());
+    first[0] = D[0];
+    REQUIRE(stepper.step(x, first, h).ok());
+    States<TestType> E = D;
+    typename TestType::State y = x;
+    REQUIRE(stepper.step(x, D, h).ok());
+    REQUIRE(fresh.step(y, E, h).ok());
+    for (std::size_t k = 0; k < D.size(); ++k) {
+        for (std::size_t i = 0; i < 2 * degrees<TestType>; ++i) {
+            CHECK(component(D[k], i) == Approx(component(E[k], i)).epsilon(1e-14).margin(1e-14));
         }
     }
 }

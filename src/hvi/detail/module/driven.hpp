@@ -6,23 +6,56 @@
 #include <cstdint>
 #include <exception>
 #include <new>
+#include <type_traits>
 
+#include <hvi/detail/module/carried.hpp>
 #include <hvi/detail/module/driven_functions.hpp>
 #include <hvi/detail/module/instance.hpp>
 
 namespace hvi::detail {
+
+/// An instance whose steps may carry directions along.
+template <class Problem, class = void>
+class DrivenInstance : public Instance<Problem> {
+public:
+    using Instance<Problem>::Instance;
+};
+
+template <class Problem>
+class DrivenInstance<Problem, std::enable_if_t<CarriesDirections<typename Problem::Stepper>::value>>
+    : public Instance<Problem> {
+public:
+    using Scalar = typename Problem::Stepper::Scalar;
+    using Instance<Problem>::Instance;
+
+    /// See CarriedNumbers.
+    Run carry(double* directions, std::size_t count, double h) {
+        return this->step_by([&](auto& stepper, auto& x) {
+            return carried_.step(stepper, x, directions, count, static_cast<Scalar>(h));
+        });
+    }
+
+    void reset() {
+        Instance<Problem>::reset();
+        carried_.forget();
+    }
+
+private:
+    CarriedNumbers<typename Problem::Stepper> carried_;
+};
 
 /// Functions of a driven module. `Problem` is as in instance.hpp.
 template <class Problem>
 class Driven {
 public:
     [[nodiscard]] static constexpr DrivenFunctions functions() {
-        return {driven_version, take_solvers, create, destroy, sizes,  counts,
-                begin,          take,         follow, reset,   energy, invariants};
+        return {driven_version, take_solvers, create,     destroy, sizes,  counts,    begin,
+                take,           follow,       carry_of(), reset,   energy, invariants};
     }
 
 private:
-    using Of = Instance<Problem>;
+    using Of = DrivenInstance<Problem>;
+    using Carry = int (*)(void*, double*, double*, std::size_t, double);
 
     static const Of& of(const void* instance) { return *static_cast<const Of*>(instance); }
 
@@ -82,6 +115,20 @@ private:
             }
             return run;
         });
+    }
+
+    static constexpr Carry carry_of() {
+        if constexpr (CarriesDirections<typename Problem::Stepper>::value) {
+            return carry;
+        } else {
+            return nullptr;
+        }
+    }
+
+    static int carry(void* instance, double* state, double* directions, std::size_t count,
+                     double h) {
+        return advance(instance, state,
+                       [&](Of& stepper) { return stepper.carry(directions, count, h); });
     }
 
     static void reset(void* instance) { static_cast<Of*>(instance)->reset(); }

@@ -11,7 +11,7 @@
 namespace hvi::detail {
 
 /// Version of these functions: hvi-gen takes no module of another one.
-inline constexpr int driven_version = 3;
+inline constexpr int driven_version = 4;
 
 /// Codes of steps that are none of a Status.
 inline constexpr int driven_out_of_memory = -1, driven_solver_is_apart = -2;
@@ -47,6 +47,10 @@ struct DrivenFunctions {
     /// depend on the time, and at the invariants.
     int (*follow)(void* stepper, double* state, double h, std::int64_t steps,
                   Departure* departures);
+    /// Takes a step, and so many directions along, q and p of each one after the other: the code of
+    /// its status, as of take(). Unless that is ok, the directions have kept their bits. Null where
+    /// steps carry none.
+    int (*carry)(void* stepper, double* state, double* directions, std::size_t count, double h);
     /// Forgets what steps have left behind.
     void (*reset)(void* stepper);
     double (*energy)(const void* stepper, const double* state);

@@ -69,6 +69,18 @@ public:
         return take(h, one);
     }
 
+    /// Takes a step by f(stepper, x), which returns its status.
+    template <class F>
+    Run step_by(F&& f) {
+        Run run;
+        run.status = f(stepper_, x_);
+        run.steps = run.ok() ? 1 : 0;
+        run.iterations = run.status.iterations;
+        steps_ += run.steps;
+        iterations_ += run.iterations;
+        return run;
+    }
+
     /// Calls f(stepper, x) for a state. NOTE: x is not that of steps, so that several threads may
     /// ask for values at once.
     template <class F>
