@@ -19,7 +19,7 @@ A block behind a line `<!-- not run: REASON -->` is not looked at. Programs find
 in ~/.local/include, as if it were installed; `examples` is the one of the checkout.
 
 What is printed has the same words as the page. Times may be any: a number before ns, us, ms or s.
-Other numbers depend on the processor in their last digits. They agree to a thousandth, those with an
+Other numbers depend on the processor in their last digits. They agree to a hundredth, those with an
 exponent, as errors have, within a factor of ten.
 
 --update writes what was printed into the blocks of the page that have no line `...`.
@@ -71,7 +71,7 @@ def alike(shown, printed):
     a, b = float(shown), float(printed)
     if "e" in shown + printed:
         return max(abs(a), abs(b)) <= 10 * min(abs(a), abs(b)) or max(abs(a), abs(b)) < 1e-12
-    return abs(a - b) <= 1e-3 * abs(a)
+    return abs(a - b) <= 1e-2 * abs(a)
 
 
 def same_line(shown, printed):
