@@ -66,6 +66,17 @@ def blocks_of(text):
     return result
 
 
+def indented(text):
+    """The lines where blocks begin that have no fences."""
+    result, is_fenced, before = [], False, ""
+    for number, line in enumerate(text.split("\n"), 1):
+        is_fenced ^= line.lstrip().startswith("```")
+        if not is_fenced and not before and line.startswith("    "):
+            result.append(number)
+        before = line
+    return result
+
+
 def alike(shown, printed):
     """Whether two numbers are the same but for what the processor makes of them."""
     a, b = float(shown), float(printed)
@@ -154,7 +165,8 @@ class Page:
             raise Fault("\n".join(faults))
 
     def look(self):
-        faults = []
+        faults = ["%s:%d: a block by indentation, where fences are wanted" % (self.path, line)
+                  for line in indented(self.text)]
         for block in blocks_of(self.text):
             try:
                 if self.write(block):
