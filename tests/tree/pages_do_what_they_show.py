@@ -37,7 +37,7 @@ NOT_RUN = re.compile(r"<!-- not run: .+ -->")
 NUMBER = re.compile(r"([-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?)")
 TIME = re.compile(r"\d+(\.\d+)?(e[-+]\d+)? (ns|us|ms|s)\b")
 
-PROGRESS = re.compile(r"hvi-gen: \w+ \(\d+ s\)")
+PROGRESS = re.compile(r"hvi-gen: [\w ']+ \(\d+ s\)")
 
 
 class Fault(Exception):
