@@ -17,11 +17,24 @@ namespace hvi::gen {
 namespace {
 
 /// NOTE: a scene is read with a method, whose symbols its own must not be; this one has none.
+/// NOTE: errors are measured of equal steps.
+void refuse_events(const Scene& scene) {
+    const char* const help = "`report` measures errors of their runs";
+    refuse_scale(scene, "--accuracy");
+    if (scene.kinks)
+        throw InputError("--accuracy is not built for kinks that end steps", *scene.kinks, help);
+    for (const IndexedEvent& event : scene.events)
+        if (event.set)
+            throw InputError("--accuracy is not built for events that jump", event.place, help);
+}
+
 Scene scene_of(const AccuracyQuestion& question) {
     MethodOptions any;
     any.name = given("--method", "gauss:2");
     any.parameters = question.parameters;
-    return read_scene(any, question.system).scene;
+    Scene scene = read_scene(any, question.system).scene;
+    refuse_events(scene);
+    return scene;
 }
 
 std::string text(Solver solver) { return solver == Solver::fixed_point ? "fixed-point" : "auto"; }

@@ -14,6 +14,7 @@ void run(const RunOptions& options);
 void run(const ModuleOptions& options);
 void run(const ReportOptions& options);
 void run(const SymmetriesOptions& options);
+void run(const ShowOptions& options);
 void run(const ListOptions& options);
 void run(const CacheOptions& options);
 void run(const CompletionsOptions& options);

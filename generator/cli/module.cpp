@@ -3,12 +3,20 @@
 #include "generator/module/module.hpp"
 
 #include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <utility>
+#include <vector>
 
 #include "generator/cli/commands.hpp"
 #include "generator/cli/method.hpp"
 #include "generator/cli/run_wishes.hpp"
 #include "generator/emit/text/names.hpp"
+#include "generator/module/python_package.hpp"
 #include "generator/options/option_table.hpp"
+#include "generator/program/builds.hpp"
+#include "generator/scene/step_count.hpp"
+#include "generator/support/error.hpp"
 #include "generator/support/output_file.hpp"
 #include "generator/support/process.hpp"
 
@@ -21,7 +29,57 @@ std::string command(const SceneStepper& stepper, const std::string& scene,
                     const ModuleOptions& options) {
     return "hvi-gen module " + stepper.method.provenance().origin + " " + scene +
            options_for(options.wishes, Command::module) +
-           (options.name ? " --name " + options.name->text : "");
+           (options.name ? " --name " + options.name->text : "") +
+           (options.language == Language::python ? " --language python" : "");
+}
+
+/// The module for a compiler. NOTE: it stands with the user's headers in a directory of its own,
+/// under a name that none of them can have.
+ProgramText program_text(const CModule& module, const std::string& name,
+                         const std::vector<OwnHeader>& own) {
+    ProgramText text{
+        .main = "#include \"scene/~module.cpp\"\n",
+        .headers = {{"scene/~module.cpp", module.source}, {"scene/" + name + ".h", module.header}},
+        .artifact = Artifact::library};
+    for (const OwnHeader& header : own) text.headers.emplace("scene/" + header.path, header.text);
+    return text;
+}
+
+std::string contents(const std::filesystem::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    std::ostringstream text;
+    if (!(text << file.rdbuf()))
+        throw EnvironmentError("cannot read the compiled library " + path.string());
+    return std::move(text).str();
+}
+
+PackageTimes package_times(const Scene& scene) {
+    const SceneTimes times = times_of(scene);
+    PackageTimes result;
+    if (times.step) result.step = nearest_value(times, *times.step);
+    if (times.until) result.until = nearest_value(times, *times.until);
+    return result;
+}
+
+/// Files of the package, the library among them; compiles that.
+std::vector<PackageFile> package(const SceneStepper& stepper, const CModule& module,
+                                 const std::string& name, const std::string& command,
+                                 const PackageTimes& times) {
+    Builds builds(find_compiler());
+    const std::filesystem::path library =
+        built(builds.order(program_text(module, name, stepper.own_headers)));
+    std::vector<PackageFile> files = python_package(stepper, name, command, times);
+    files.push_back({package_library(name), contents(library)});
+    return files;
+}
+
+std::vector<PackageFile> files_of(const SceneStepper& stepper, const Scene& scene,
+                                  const std::string& name, const ModuleOptions& options) {
+    const std::string line = command(stepper, scene.origin, options);
+    const CModule module = c_module(stepper, name, line);
+    if (options.language == Language::python)
+        return package(stepper, module, name, line, package_times(scene));
+    return {{name + ".h", module.header}, {name + ".cpp", module.source}};
 }
 
 }  // namespace
@@ -33,15 +91,17 @@ void run(const ModuleOptions& options) {
     const SceneStepper stepper =
         scene_stepper(both.method, both.scene, module_wishes(options.wishes, name));
     check_parameter_of_method(stepper);
-    const CModule module = c_module(stepper, name, command(stepper, both.scene.origin, options));
-
     const InterruptionsHeld held;
-    make_directory(options.output);
-    const std::filesystem::path header = options.output / (name + ".h");
-    const std::filesystem::path source = options.output / (name + ".cpp");
-    write_file(header, module.header);
-    write_file(source, module.source);
-    write_standard_output(header.string() + "\n" + source.string() + "\n");
+    const std::vector<PackageFile> files = files_of(stepper, both.scene, name, options);
+    const bool is_package = options.language == Language::python;
+    const std::filesystem::path folder = is_package ? options.output / name : options.output;
+    make_directory(folder);
+    std::string written;
+    for (const PackageFile& file : files) {
+        write_file(folder / file.name, file.text);
+        written += (folder / file.name).string() + "\n";
+    }
+    write_standard_output(written);
 }
 
 }  // namespace hvi::gen

@@ -223,7 +223,7 @@ ModuleOptions module_options(const Words& words, const CommandLine& line) {
     options.wishes = wishes_of(words);
     options.system.sums = {options.wishes.unroll, wish_without_loops(options.wishes)};
     options.name = words.value("--name");
-    static_cast<void>(words.choice<Language>("--language"));  // refuses what is to come
+    options.language = words.choice<Language>("--language").value_or(Language::c);
     if (const auto directory = output_option(words)) options.output = *directory;
     return options;
 }
@@ -242,7 +242,7 @@ std::set<ReportItem> items_of_report(const Words& words) {
     if (!std::all_of(named.begin(), named.end(), is_file)) return items;
     items.insert({rejections, symplecticity});
     if (words.has("SCENE") || !words.has("--edges")) items.insert(work);
-    if (words.has("--edges")) items.insert({stiff, extreme, long_runs});
+    if (words.has("--edges")) items.insert({stiff, extreme, long_runs, time});
     return items;
 }
 
@@ -285,6 +285,25 @@ SymmetriesOptions symmetries_options(const Words& words, const CommandLine& line
     options.format = words.choice<CertificateFormat>("--format").value_or(options.format);
     options.output = output_option(words);
     return options;
+}
+
+ShowOptions show_options(const Words& words, const CommandLine& line) {
+    const Given scene = words.value("SCENE");
+    if (!scene)
+        throw InputError("no scene is given", line.end(),
+                         "for example kepler, which `hvi-gen list scenes` shows");
+    return {scene, output_option(words)};
+}
+
+/// The text of `hvi-gen COMMAND --help`.
+Request help_request(const Words& words) {
+    std::vector<std::string> line = {"hvi-gen"};
+    if (const auto command = words.choice<Command>("COMMAND"))
+        line.emplace_back(entry_of(*command).name);
+    line.emplace_back("--help");
+    std::vector<const char*> arguments;
+    for (const std::string& word : line) arguments.push_back(word.c_str());
+    return parse(CommandLine(static_cast<int>(arguments.size()), arguments.data()));
 }
 
 ListOptions list_options(const Words& words) {
@@ -331,10 +350,12 @@ Request request(const CLI::App& parsed, const CommandLine& line) {
     case Command::run: return run_options(words, line);
     case Command::report: return report_options(words, line);
     case Command::symmetries: return symmetries_options(words, line);
+    case Command::show: return show_options(words, line);
     case Command::list: return list_options(words);
     case Command::cache: return CacheOptions{words.has("--clear")};
     case Command::completions: return completions_options(words, line);
     case Command::manual: return ManualOptions{output_option(words)};
+    case Command::help: return help_request(words);
     case Command::module: return module_options(words, line);
     case Command::ensemble: break;  // to come
     }

@@ -104,6 +104,7 @@ struct ModuleOptions {
     SystemOptions system;  ///< a scene
     StepperWishes wishes;  ///< solver, lanes, sums and composition alone
     Given name;            ///< what functions and files begin with; else that of the scene
+    Language language = Language::c;
     std::filesystem::path output = ".";  ///< a directory
 };
 
@@ -142,6 +143,11 @@ struct SymmetriesOptions {
     std::optional<std::filesystem::path> output;
 };
 
+struct ShowOptions {
+    Given scene;  ///< the name of one, or a file
+    std::optional<std::filesystem::path> output;
+};
+
 struct ListOptions {
     Topic topic = Topic::all;
 };
@@ -168,8 +174,8 @@ struct Information {
 
 using Request =
     std::variant<TableauOptions, CheckOptions, StepperOptions, SchemeOptions, RunOptions,
-                 ModuleOptions, ReportOptions, SymmetriesOptions, ListOptions, CacheOptions,
-                 CompletionsOptions, ManualOptions, Information>;
+                 ModuleOptions, ReportOptions, SymmetriesOptions, ShowOptions, ListOptions,
+                 CacheOptions, CompletionsOptions, ManualOptions, Information>;
 
 /// Throws InputError with a caret in the command line, or in the value at fault.
 [[nodiscard]] Request parse(const CommandLine& line);

@@ -16,6 +16,7 @@
 #include "generator/render/statements.hpp"
 #include "generator/report/render.hpp"
 #include "generator/scene/step_count.hpp"
+#include "generator/study/eventful.hpp"
 #include "generator/study/study.hpp"
 #include "generator/support/output_file.hpp"
 #include "generator/support/process.hpp"
@@ -68,13 +69,17 @@ Scene scene_for(const Given& name, const ReportOptions& options) {
     if (!unroll_decision(scene, options.sums).writes_out) {
         refuse_peers(options);
         refuse_edges(options);
+        if (is_eventful(scene))
+            throw InputError("a report is not built for jumps, kinks that end steps and scaled "
+                             "time where sums stay loops",
+                             scene.place,
+                             "--unroll yes writes the sums out, up to 256 degrees of freedom");
     }
     if (options.peers) refuse_rotations(scene, "a comparison with other libraries");
-    refuse_scale(scene, "a report");
-    for (const IndexedEvent& event : scene.events)
-        if (event.set)
-            throw InputError("a report is not built for events that jump", event.place,
-                             "its runs are compared with those of steps alone");
+    if (options.peers && is_eventful(scene))
+        throw InputError("integrators of other libraries are not built for scaled time, jumps and "
+                         "kinks that end steps",
+                         *options.peers, "without --peers it compares methods of ours");
     return scene;
 }
 
@@ -87,12 +92,35 @@ NamedExpression first_step(const SceneTimes& times, const ReportOptions& options
                 "--steps 1/10,1/20");
 }
 
+/// Throws MathError where steps of this size in scaled time do not lead to the end.
+double scaled_step(const SceneTimes& times, const NamedExpression& step, double until) {
+    const double size = nearest_value(times, step);
+    if (size * until > 0) return size;
+    throw MathError("steps of this size lead away from the end of the run, or nowhere", step.place,
+                    "step and until have the same sign");
+}
+
+/// Steps of a scene in scaled time, of which none lead just to the end.
+void set_scaled_steps(Subject& subject, const SceneTimes& times, const NamedExpression& first,
+                      const ReportOptions& options) {
+    const double size = scaled_step(times, first, subject.until);
+    subject.first_count = std::max<std::int64_t>(1, std::llround(subject.until / size));
+    if (!options.steps) return;
+    for (const auto& item : list_items(options.steps))
+        subject.steps.push_back(
+            scaled_step(times, expression_of_parameters(times, "step", item), subject.until));
+}
+
 Subject subject(const Given& name, const ReportOptions& options) {
     Subject result{scene_for(name, options)};
     const SceneTimes times = times_of(result.scene);
     const NamedExpression until = wish(times, options.until, times.until, "until");
     const NamedExpression step = first_step(times, options);
     result.until = nearest_value(times, until);
+    if (result.scene.scale) {
+        set_scaled_steps(result, times, step, options);
+        return result;
+    }
     result.first_count = std::max<std::int64_t>(1, steps_until(times, step, until).count);
     if (!options.steps) return result;
     for (const auto& item : list_items(options.steps)) {
@@ -152,6 +180,21 @@ void note_left_out(Report& report, const Subject& subject) {
                                        subject.watched.left_out));
 }
 
+/// Sentences on what runs of the scene are.
+void note_events(Report& report, const Scene& scene) {
+    if (scene.scale)
+        report.notes.push_back(fmt::format(
+            "steps of {} are of scaled time: h is one of s, and the end is at t", scene.name));
+    for (const IndexedEvent& event : scene.events)
+        if (event.set)
+            report.notes.push_back(fmt::format(
+                "the event {} of {} jumps, and stops no run: what is said to be kept is "
+                "kept between its jumps, and run times have the search for it",
+                event.name, scene.name));
+    if (scene.kinks)
+        report.notes.push_back(fmt::format("steps of {} end at kinks of its H", scene.name));
+}
+
 /// What is said of each method beside what was measured. NOTE: curves of methods come first, in
 /// their order.
 void set_kept(SceneReport& of_scene, const Watched& watched,
@@ -181,6 +224,7 @@ void add_scenes(Report& report, Builds& builds, const std::vector<Subject>& subj
         wishes.steps = subject.steps;
         SceneReport& of_scene = report.scenes.emplace_back();
         note_left_out(report, subject);
+        note_events(report, subject.scene);
         try {
             study(builds, subject.scene, subject.until, subject.first_count, wishes, of_scene,
                   report.time_spent);
@@ -221,8 +265,12 @@ void add_edges(Report& report, Builds& builds, const std::vector<ExactMethod>& m
                                            "harmonic-oscillator"};
     std::vector<Scene> given;
     for (const Subject& subject : subjects)
-        if (degrees_of_freedom(subject.scene) <= most_at_edges &&
-            unroll_decision(subject.scene, options.sums).writes_out)
+        if (subject.scene.scale)
+            report.notes.push_back(fmt::format("single steps of {}, in scaled time, are not looked "
+                                               "at: the chapter `time` of --edges has some",
+                                               name_of(subject)));
+        else if (degrees_of_freedom(subject.scene) <= most_at_edges &&
+                 unroll_decision(subject.scene, options.sums).writes_out)
             given.push_back(subject.scene);
     if (given.empty() && !subjects.empty()) return;
     const auto add = [&](ReportItem item, const std::string& name, auto chapter) {
@@ -237,6 +285,8 @@ void add_edges(Report& report, Builds& builds, const std::vector<ExactMethod>& m
     add(ReportItem::stiff, "chain", [&] { return chain(builds, methods); });
     add(ReportItem::extreme, "extreme", [&] { return extreme(builds, methods); });
     add(ReportItem::long_runs, "long runs", [&] { return long_runs(builds, methods); });
+    add(ReportItem::time, "events and scaled time",
+        [&] { return events_and_scales(builds, methods); });
     add(ReportItem::symplecticity, "symplecticity",
         [&] { return symplecticity(builds, methods, given.empty() ? all_scenes() : given); });
 }

@@ -235,7 +235,6 @@ WishedRun watched_run(MethodAndScene both, const StepperWishes& wishes, const Ru
 }
 
 WishedRun advised_run(const RunOptions& options) {
-    refuse_scale(find_scene(options.system.scene), "--accuracy");
     const AdvisedOptions advice = [&] {
         const InterruptionsHeld held;
         return advised({options.method.parameters, options.system, options.until, *options.accuracy,

@@ -4,12 +4,12 @@
 #   cmake -D OUTPUT=embedded.cpp -D HEADER=generator/emit/text/embedded.hpp -D FUNCTION=embedded_templates
 #       -D "FILES=templates/a.hpp.in;src/hvi/b.hpp" -D ROOT=checkout -P embed.cmake
 #
-# A file is known by its path in src/, templates/ or examples/scenes/. Raw string literals end where
+# A file is known by its path in src/, templates/, examples/scenes/ or python/hvi/. Raw string literals end where
 # MSVC's limit of 16 kB ends; the pieces are put together by the compiler.
 
 set(entries "")
 foreach(file IN LISTS FILES)
-    string(REGEX REPLACE "^(src|templates|examples/scenes)/" "" name "${file}")
+    string(REGEX REPLACE "^(src|templates|examples/scenes|python/hvi)/" "" name "${file}")
     # NOTE: a list would lose the brackets and semicolons of C++, so the text stays one string.
     file(READ "${ROOT}/${file}" text)
     string(LENGTH "${text}" length)

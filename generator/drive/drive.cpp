@@ -70,4 +70,8 @@ int drive(const FindSteppers& find, const BalanceWishes& wishes) {
     return status_of(find, [&] { return take_balance(wishes); });
 }
 
+int drive(const FindSteppers& find, const EventfulRunWishes& wishes) {
+    return status_of(find, [&] { return take_eventful_run(wishes); });
+}
+
 }  // namespace hvi::gen

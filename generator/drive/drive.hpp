@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "generator/drive/balance.hpp"
+#include "generator/drive/eventful_run.hpp"
 #include "generator/drive/number_stepper.hpp"
 #include "generator/drive/shadow.hpp"
 #include "generator/drive/tangents.hpp"
@@ -28,10 +29,12 @@ using FindSteppers = std::function<MakeStepper()>;
 /// expects. Answers are lines of standard output: src/driver/answer.hpp.
 [[nodiscard]] int drive(const FindSteppers& find, const std::vector<std::string_view>& command);
 
-/// Takes the steps of a trajectory, of directions, of a modified Hamiltonian, or of a balance.
+/// Takes the steps of a trajectory, of directions, of a modified Hamiltonian, of a balance, or of a
+/// run with events that is measured.
 [[nodiscard]] int drive(const FindSteppers& find, const TrajectoryWishes& wishes);
 [[nodiscard]] int drive(const FindSteppers& find, const TangentWishes& wishes);
 [[nodiscard]] int drive(const FindSteppers& find, const ShadowWishes& wishes);
 [[nodiscard]] int drive(const FindSteppers& find, const BalanceWishes& wishes);
+[[nodiscard]] int drive(const FindSteppers& find, const EventfulRunWishes& wishes);
 
 }  // namespace hvi::gen

@@ -243,31 +243,16 @@ private:
                 return After::jump;
             };
         }
-        if (wishes_.clock) result.push_back(end_of_clock());
+        if (wishes_.clock) result.push_back(end_of_clock(*wishes_.clock));
         return result;
     }
 
-    /// The end of the time, behind all other events.
-    [[nodiscard]] Event<DrivenStepper> end_of_clock() const {
-        Event<DrivenStepper> event;
-        event.zero = [until = wishes_.clock->until](const State& x, double) {
-            return x.q.back() - until;
-        };
-        event.act = [](State&, double) { return After::stop; };
-        return event;
-    }
     [[nodiscard]] bool has_come_to_end() const {
         return wishes_.clock && run_.ending == Ending::event && run_.event == counts_.size();
     }
 
     /// The state without time and its momentum.
-    [[nodiscard]] State seen(const State& x) const {
-        State result = x;
-        if (!wishes_.clock) return result;
-        result.q.pop_back();
-        result.p.pop_back();
-        return result;
-    }
+    [[nodiscard]] State seen(const State& x) const { return wishes_.clock ? without_clock(x) : x; }
 
     [[nodiscard]] bool are_good() const {
         return std::all_of(tables_.begin(), tables_.end(),
@@ -319,16 +304,9 @@ private:
     }
 
     void tell_end() const {
-        driver::say("status",
-                    run_.ending == Ending::failed_step ? run_.run.status.message() : "ok");
+        tell_ending(run_, counts_.size());
         if (is_stopped() && run_.ending == Ending::all_steps) driver::say("status", "interrupted");
         if (run_.ending == Ending::failed_step && taken() == 0) tell_unfit();
-        const auto event = static_cast<std::int64_t>(run_.event);
-        if (run_.ending == Ending::event && !has_come_to_end()) driver::say("stopped_by", event);
-        if (run_.ending == Ending::time_stands)
-            driver::say("status", "the time does not go on with the steps");
-        if (run_.ending == Ending::accumulation) driver::say("accumulates", event);
-        if (run_.ending == Ending::undefined) driver::say("undefined", event);
     }
 
     void tell() const {

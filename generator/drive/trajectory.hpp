@@ -12,11 +12,8 @@
 #include <string>
 #include <vector>
 
-#include <hvi/detail/trajectories/event.hpp>
-
 #include "generator/drive/checkpoint.hpp"
-#include "generator/drive/driven_stepper.hpp"
-#include "generator/drive/event_crossing.hpp"
+#include "generator/drive/driven_event.hpp"
 #include "generator/drive/row_file.hpp"
 #include "generator/read/reductions.hpp"
 #include "generator/read/table_columns.hpp"
@@ -36,15 +33,6 @@ struct TableWishes {
     std::map<std::string, std::string, std::less<>> meanings = {};
 };
 
-/// An event of a run.
-struct DrivenEvent {
-    Event<DrivenStepper> event;  ///< which does nothing of its own
-    std::int64_t stop = 0;       ///< the run ends at this one; 0 for none
-    std::function<void(DrivenStepper::State&, double)> set = {};  ///< what jumps; or nothing
-    std::string name = {};
-    FindCrossing crossing = {};  ///< its derivatives; nothing where they are not built
-};
-
 /// Events, and their table.
 struct EventWishes {
     std::vector<DrivenEvent> events;
@@ -56,11 +44,6 @@ struct EventWishes {
         return std::any_of(events.begin(), events.end(),
                            [](const DrivenEvent& event) { return !event.event.is_kink; });
     }
-};
-
-/// The time where steps are of another variable: the last of the coordinates.
-struct ScaledClock {
-    double until = 0;
 };
 
 /// When a run keeps what it can go on from, and where.

@@ -43,5 +43,7 @@ struct EdgeChapter {
 [[nodiscard]] EdgeChapter chain(Builds& builds, const std::vector<ExactMethod>& methods);
 [[nodiscard]] EdgeChapter extreme(Builds& builds, const std::vector<ExactMethod>& methods);
 [[nodiscard]] EdgeChapter long_runs(Builds& builds, const std::vector<ExactMethod>& methods);
+[[nodiscard]] EdgeChapter events_and_scales(Builds& builds,
+                                            const std::vector<ExactMethod>& methods);
 
 }  // namespace hvi::gen

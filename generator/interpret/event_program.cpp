@@ -84,10 +84,8 @@ Tape tape_of_crossing(const LoweredEvent& event, const std::vector<Scaled>& moti
 
 EventTapes tapes_of(const LoweredEvents& events, const LoweredEvent& event, EventRow& row) {
     EventTapes tapes{row.tape({event.zero}), {}, {}, {}, {}, {}};
-    if (event.slope) {
-        tapes.slope = row.tape({*event.slope});
-        tapes.crossing = tape_of_crossing(event, events.motion, row);
-    }
+    if (event.slope) tapes.slope = row.tape({*event.slope});
+    if (!events.motion.empty()) tapes.crossing = tape_of_crossing(event, events.motion, row);
     if (event.cooldown) tapes.cooldown = row.tape({event.cooldown->value});
     if (event.period) tapes.period = row.tape({event.period->value});
     if (event.set.empty()) return tapes;

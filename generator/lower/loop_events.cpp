@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "generator/lower/declarations.hpp"
+#include "generator/lower/event_slope.hpp"
 #include "generator/lower/lower.hpp"
 #include "generator/read/column_file.hpp"
 #include "generator/read/names.hpp"
@@ -84,6 +85,8 @@ public:
         for (const IndexedEvent& event : scene_.events) {
             result_.events.push_back(lowered(event));
         }
+        add_slopes();
+        leave_out_other_variables();
         return std::move(result_);
     }
 
@@ -96,7 +99,10 @@ private:
                 variables_.emplace(family.name, std::pair(first, numbers));
                 first += numbers.count();
             }
-            if (scene_.scale && families == &declared_.coordinates) { time_ = first++; }
+            if (families == &declared_.coordinates) {
+                degrees_ = first;
+                if (scene_.scale) { time_ = first++; }
+            }
         }
     }
 
@@ -206,6 +212,40 @@ private:
         return result;
     }
 
+    // ---- slopes ----
+
+    /// H with its sums written out; nothing where it is not differentiated here. NOTE: of H that
+    /// has steps the number of words is all that may be wrong.
+    [[nodiscard]] std::optional<Scaled> hamiltonian() {
+        const bool is_plain =
+            scene_.side == Side::hamiltonian && !scene_.scale && scene_.own.headers.empty();
+        if (!is_plain) { return {}; }
+        try {
+            return value(scene_.function, hamiltonian_rules);
+        } catch (const InputError&) { return {}; }
+    }
+
+    void add_slopes() {
+        const std::optional<Scaled> H = hamiltonian();
+        if (!H) { return; }
+        for (LoweredEvent& event : result_.events) {
+            event.slope = slope_along(result_, event.zero, *H, degrees_);
+        }
+    }
+
+    /// Of the variables that H has, events look at few.
+    void leave_out_other_variables() {
+        std::vector<Scaled> values;
+        for (const LoweredEvent& event : result_.events) {
+            values.push_back(event.zero);
+            if (event.slope) { values.push_back(*event.slope); }
+            for (const LoweredJump& jump : event.set) { values.push_back(jump.value); }
+        }
+        const std::vector<bool> is_part = nodes_of(result_.graph, values);
+        std::erase_if(result_.variables,
+                      [&](const EventVariable& each) { return !is_part[each.node]; });
+    }
+
     // ---- what jumps ----
 
     [[nodiscard]] std::vector<LoweredJump> jumps(const ValueTable& table) {
@@ -264,6 +304,7 @@ private:
     Symbols symbols_;
     /// The number of the first element of each variable, and those of the others.
     std::map<std::string, std::pair<std::size_t, ElementNumbers>> variables_;
+    std::size_t degrees_ = 0;          ///< coordinates, without the time
     std::optional<std::size_t> time_;  ///< its number among the coordinates, where it is one
     std::map<std::string, std::vector<Expression>> in_files_;
 };

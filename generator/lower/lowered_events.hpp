@@ -32,9 +32,9 @@ struct LoweredEvent {
     bool is_kink = false;  ///< of H, which ends a step there
     Scaled zero;
     /// The derivative along the motion, {zero, H} and that by the time; none of rotations, of L,
-    /// where functions of the user's own are called and where sums stay loops.
+    /// where functions of the user's own are called, and of many loops.
     std::optional<Scaled> slope = {};
-    /// The derivatives of `zero` by the variables, in their order; none where there is no slope.
+    /// The derivatives of `zero` by the variables, in their order; none where there is no `motion`.
     std::vector<Scaled> by_variables = {};
     Scaled by_time = {{0, 1}, 0};
     std::vector<LoweredJump> set = {};
@@ -51,7 +51,8 @@ struct LoweredEvents {
     Graph graph;                           ///< that of the system, and more; or their own
     std::vector<EventVariable> variables;  ///< inputs of the graph
     std::optional<Node> time;              ///< the input t, where there is one
-    /// The derivatives of the variables along the motion; none where events have no slope.
+    /// The derivatives of the variables along the motion; none where events have no slope, and
+    /// where sums stay loops.
     std::vector<Scaled> motion = {};
     std::vector<LoweredEvent> events;
 };

@@ -48,27 +48,6 @@ std::string code_of(const std::string& header) {
     return header.substr(header.find("#pragma once"));
 }
 
-double value_of_number(const Expression& expression) {
-    constexpr std::size_t of_double = 1;
-    const std::optional<Dyadic> value = rounded_value(expression)[of_double];
-    HVI_CHECK(value.has_value());  // or the header of the stepper could not be written
-    return value->to_double();
-}
-
-/// Values of sizes, then of parameters, in their order.
-std::vector<double> values_of_numbers(const System& system) {
-    std::vector<double> result;
-    if (has_sizes(system)) {
-        for (const SystemSize& size : system.sizes) {
-            result.push_back(static_cast<double>(size.value));
-        }
-    }
-    for (const SystemParameter& parameter : system.parameters) {
-        result.push_back(value_of_number(parameter.value));
-    }
-    return result;
-}
-
 /// Values of lists, one after the other; none where some of them stay in the source.
 std::vector<double> values_of_lists(const System& system) {
     std::vector<double> result;

@@ -107,6 +107,26 @@ std::vector<ModuleParameter> module_parameters(const System& system) {
     return result;
 }
 
+double value_of_number(const Expression& number) {
+    constexpr std::size_t of_double = 1;
+    const std::optional<Dyadic> value = rounded_value(number)[of_double];
+    HVI_CHECK(value.has_value());  // or the header of the stepper could not be written
+    return value->to_double();
+}
+
+std::vector<double> values_of_numbers(const System& system) {
+    std::vector<double> result;
+    if (has_sizes(system)) {
+        for (const SystemSize& size : system.sizes) {
+            result.push_back(static_cast<double>(size.value));
+        }
+    }
+    for (const SystemParameter& parameter : system.parameters) {
+        result.push_back(value_of_number(parameter.value));
+    }
+    return result;
+}
+
 namespace {
 
 /// Statements that read parameters. NOTE: lists at the end may be left out together.

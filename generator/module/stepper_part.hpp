@@ -20,6 +20,12 @@ struct ModuleParameter {
 /// Parameters in their order: sizes, numbers, lists.
 [[nodiscard]] std::vector<ModuleParameter> module_parameters(const System& system);
 
+/// The double that is nearest to a number. Precondition: it has one, as numbers in headers have.
+[[nodiscard]] double value_of_number(const Expression& number);
+
+/// Values of sizes, then of parameters, in their order.
+[[nodiscard]] std::vector<double> values_of_numbers(const System& system);
+
 /// Whether a module of the system takes sizes.
 [[nodiscard]] bool has_sizes(const System& system);
 

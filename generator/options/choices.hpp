@@ -30,6 +30,7 @@ enum class ReportItem {
     stiff,
     extreme,
     long_runs,
+    time,
     symplecticity,
 };
 

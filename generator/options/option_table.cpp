@@ -28,14 +28,16 @@ constexpr std::array commands = {
     CommandEntry{ensemble, "ensemble", "SCENE [METHOD]", "Run many trajectories on all cores",
                  State::to_come},
     CommandEntry{module, "module", "[METHOD] SCENE", "Write a stepper for C, and what calls C"},
+    CommandEntry{show, "show", "SCENE", "Print the TOML of a scene"},
     CommandEntry{list, "list", "[TOPIC]", "Print what can be named"},
     CommandEntry{cache, "cache", "", "Show the compiled programs that are kept, or remove them"},
     CommandEntry{completions, "completions", "SHELL", "Print what completes words in a shell"},
     CommandEntry{manual, "manual", "", "Print the man page"},
+    CommandEntry{help, "help", "[COMMAND]", "Print what a command and its options do"},
 };
 
-constexpr Commands every{tableau, check,      stepper, scheme, run,         module,
-                         report,  symmetries, list,    cache,  completions, manual};
+constexpr Commands every{tableau,    check, stepper, scheme, run,         module, report,
+                         symmetries, show,  list,    cache,  completions, manual, help};
 constexpr Commands with_method{tableau, check, stepper, scheme, run, module, report};
 constexpr Commands with_parameters{tableau, check,  stepper, scheme,
                                    run,     module, report,  symmetries};
@@ -59,8 +61,7 @@ constexpr std::array lanes_of_one = {choice("auto", Lanes::automatic),
                                      choice("stages", Lanes::stages), choice("none", Lanes::none)};
 constexpr std::array unrolls = {choice("auto", Unroll::automatic), choice("yes", Unroll::yes),
                                 choice("no", Unroll::no)};
-constexpr std::array languages = {choice("c", Language::c),
-                                  choice("python", Language::python, State::to_come)};
+constexpr std::array languages = {choice("c", Language::c), choice("python", Language::python)};
 constexpr std::array table_formats = {choice("csv", TableFormat::csv),
                                       choice("npy", TableFormat::npy),
                                       choice("hdf5", TableFormat::hdf5)};
@@ -76,7 +77,8 @@ constexpr std::array report_items = {
     choice("csv", ReportItem::csv),        choice("svg", ReportItem::svg),
     choice("work", ReportItem::work),      choice("rejections", ReportItem::rejections),
     choice("stiff", ReportItem::stiff),    choice("extreme", ReportItem::extreme),
-    choice("long", ReportItem::long_runs), choice("symplecticity", ReportItem::symplecticity)};
+    choice("long", ReportItem::long_runs), choice("time", ReportItem::time),
+    choice("symplecticity", ReportItem::symplecticity)};
 constexpr std::array topics = {choice("bases", Topic::bases), choice("nodes", Topic::nodes),
                                choice("methods", Topic::methods), choice("scenes", Topic::scenes),
                                choice("functions", Topic::functions)};
@@ -84,6 +86,13 @@ constexpr std::array stages = {choice("method", Stage::method), choice("tableau"
                                choice("system", Stage::system), choice("step", Stage::step)};
 constexpr std::array shells = {choice("bash", Shell::bash), choice("zsh", Shell::zsh),
                                choice("fish", Shell::fish)};
+
+constexpr auto command_names = [] {
+    std::array<Choice, commands.size()> names;
+    for (std::size_t k = 0; k < names.size(); ++k)
+        names[k] = choice(commands[k].name, commands[k].command, commands[k].state);
+    return names;
+}();
 
 /// Of what only a system has: the class of a user has none of it.
 constexpr Relation a_system{"SCENE|--hamiltonian"};
@@ -102,6 +111,17 @@ constexpr std::array table = {
                 .placeholder = "SCENE...",
                 .help = "Scenes by name, or in TOML",
                 .is_repeatable = true},
+    OptionEntry{.name = "SCENE",
+                .of = {show},
+                .value = Value::scene,
+                .placeholder = "SCENE",
+                .help = "A scene by name (`hvi-gen list scenes`), or a file"},
+    OptionEntry{.name = "COMMAND",
+                .of = {help},
+                .value = Value::choice,
+                .placeholder = "COMMAND",
+                .choices = command_names,
+                .help = "One of these, else all"},
     OptionEntry{.name = "TOPIC",
                 .of = {list},
                 .value = Value::choice,
@@ -301,7 +321,7 @@ constexpr std::array table = {
                 .value = Value::choice,
                 .placeholder = "LANGUAGE",
                 .choices = languages,
-                .help = "Of those who call it (c)"},
+                .help = "Of those who call it: c, or a whole package for python"},
     OptionEntry{
         .name = "--accuracy",
         .of = {stepper, run},
@@ -535,7 +555,7 @@ constexpr std::array table = {
                 .help = "Draw trace/2 on the oscillator as SVG"},
     OptionEntry{.name = "--output",
                 .abbreviation = "-o",
-                .of = {tableau, check, stepper, scheme, symmetries, completions, manual},
+                .of = {tableau, check, stepper, scheme, symmetries, show, completions, manual},
                 .value = Value::file,
                 .placeholder = "FILE",
                 .help = "Write to this file"},

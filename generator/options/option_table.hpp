@@ -28,10 +28,12 @@ enum class Command {
     symmetries,
     ensemble,
     module,
+    show,
     list,
     cache,
     completions,
     manual,
+    help,
 };
 
 struct CommandEntry {

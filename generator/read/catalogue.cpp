@@ -42,6 +42,33 @@ constexpr std::array<MethodEntry, 5> method_table{{
     {"trig3", "1, cos(pi*tau), sin(pi*tau)", "0, 1/2, 1", "three stages, order 2", "Example 4.6"},
 }};
 
+constexpr std::string_view explicit_of_order_4 =
+    "write `stormer-verlet` with `--compose yoshida:4`, which takes these steps";
+constexpr std::string_view not_symplectic =
+    "its energy drifts, and so it is not built; of order 4 are `gauss:2`, and explicit for "
+    "T(p) + U(q) `stormer-verlet` with `--compose suzuki:4`";
+
+// NOTE: Stormer-Verlet begins and ends with half a kick, as velocity Verlet does.
+constexpr std::array<OtherName, 17> other_name_table{{
+    {"verlet", "stormer-verlet", ""},
+    {"leapfrog", "stormer-verlet", ""},
+    {"velocity-verlet", "stormer-verlet", ""},
+    {"stoermer-verlet", "stormer-verlet", ""},
+    {"implicit-midpoint", "midpoint", ""},
+    {"semi-implicit-euler", "symplectic-euler", ""},
+    {"forest-ruth", "", explicit_of_order_4},
+    {"yoshida", "", explicit_of_order_4},
+    {"yoshida4", "", explicit_of_order_4},
+    {"gauss-legendre", "", "write `gauss:S` for S stages, of order 2*S"},
+    {"euler", "", "did you mean `symplectic-euler`? The energy of Euler's own method drifts"},
+    {"rk4", "", not_symplectic},
+    {"rk45", "", not_symplectic},
+    {"runge-kutta", "", not_symplectic},
+    {"dopri5", "", not_symplectic},
+    {"dop853", "", not_symplectic},
+    {"ias15", "", not_symplectic},
+}};
+
 }  // namespace
 
 std::span<const FamilyEntry> basis_families() { return basis_table; }
@@ -53,6 +80,8 @@ std::span<const FormEntry> basis_forms() { return basis_form_table; }
 std::span<const FormEntry> node_forms() { return node_form_table; }
 
 std::span<const MethodEntry> named_methods() { return method_table; }
+
+std::span<const OtherName> other_names() { return other_name_table; }
 
 const FamilyEntry* find_family(std::span<const FamilyEntry> families, std::string_view name) {
     const auto found = std::find_if(families.begin(), families.end(),

@@ -29,6 +29,13 @@ struct MethodEntry {
     std::string_view paper;
 };
 
+/// A name that other programs have for a method.
+struct OtherName {
+    std::string_view name;
+    std::string_view method;  ///< its name here; empty where no method is this one
+    std::string_view help;    ///< what to write in its place, where no method is this one
+};
+
 /// A form of basis function or node that is written as a call: `roots(P(tau))`.
 struct FormEntry {
     std::string_view form;
@@ -43,6 +50,9 @@ struct FormEntry {
 /// The methods that are no families. Besides them every family of nodes is a family of methods,
 /// with its interpolating polynomials.
 [[nodiscard]] std::span<const MethodEntry> named_methods();
+
+/// Names of methods in textbooks and in other programs.
+[[nodiscard]] std::span<const OtherName> other_names();
 
 /// The entry of that name, or null.
 [[nodiscard]] const FamilyEntry* find_family(std::span<const FamilyEntry> families,

@@ -26,6 +26,8 @@ std::vector<std::string_view> method_names() {
     std::vector<std::string_view> names;
     for (const FamilyEntry& entry : node_families()) names.push_back(entry.name);
     for (const MethodEntry& entry : named_methods()) names.push_back(entry.name);
+    for (const OtherName& other : other_names())
+        if (!other.method.empty()) names.push_back(other.name);
     return names;
 }
 
@@ -36,8 +38,20 @@ const MethodEntry* find_method(std::string_view name) {
     return found == methods.end() ? nullptr : &*found;
 }
 
+/// The name here of a method that is named as elsewhere; empty where there is none.
+std::string_view known_elsewhere(std::string_view name) {
+    for (const OtherName& other : other_names())
+        if (other.name == name) return other.method;
+    return {};
+}
+
 [[noreturn]] void refuse_name(const std::string& name,
                               const std::shared_ptr<const Source>& source) {
+    const std::string first = name.substr(0, name.find(':'));
+    for (const OtherName& other : other_names())
+        if (other.name == first && !other.help.empty())
+            throw InputError(fmt::format("there is no method `{}`", name), whole(source),
+                             std::string(other.help));
     throw InputError(fmt::format("there is no method `{}`", name), whole(source),
                      did_you_mean(name, method_names(), "`hvi-gen list methods` shows them all"));
 }
@@ -96,7 +110,8 @@ void insert_parameters(const List& list, std::set<std::string>& names) {
 Method named_method(std::shared_ptr<const Source> source) {
     const std::string name = part(*source, trimmed(source->text, whole(source).range));
     if (name.empty()) throw InputError("the name of the method is empty", whole(source));
-    const MethodEntry* entry = find_method(name);
+    const std::string_view here = known_elsewhere(name);
+    const MethodEntry* entry = find_method(here.empty() ? name : here);
     if (entry == nullptr && name.find(':') == std::string::npos) {
         if (find_family(node_families(), name) == nullptr) refuse_name(name, source);
         throw InputError(fmt::format("`{}` is a family of methods and wants a size", name),

@@ -13,6 +13,7 @@
 #include "generator/read/names.hpp"
 #include "generator/read/nearest.hpp"
 #include "generator/read/sizes.hpp"
+#include "generator/read/toml_file.hpp"
 
 namespace hvi::gen {
 
@@ -36,17 +37,27 @@ Scene embedded_scene(const EmbeddedFile& file) {
     return scene_from_toml({std::string(file.name), std::string(file.text)});
 }
 
+/// Null where no scene of this name comes with the program.
+const EmbeddedFile* find_embedded(std::string_view name) {
+    for (const EmbeddedFile& file : embedded_scenes())
+        if (name_of(file) == name) return &file;
+    return nullptr;
+}
+
+void check_is_there(const Given& file) {
+    std::error_code ignored;
+    const auto status = std::filesystem::status(file->text, ignored);
+    if (status.type() == std::filesystem::file_type::not_found) refuse_unknown(file);
+}
+
 Scene found(const Given& name_or_file) {
     const std::string& name = name_or_file->text;
-    for (const EmbeddedFile& file : embedded_scenes()) {
-        if (name_of(file) != name) continue;
-        Scene scene = embedded_scene(file);
+    if (const EmbeddedFile* file = find_embedded(name)) {
+        Scene scene = embedded_scene(*file);
         scene.origin = name;
         return scene;
     }
-    std::error_code ignored;
-    const auto status = std::filesystem::status(name, ignored);
-    if (status.type() == std::filesystem::file_type::not_found) refuse_unknown(name_or_file);
+    check_is_there(name_or_file);
     return scene_from_file(name);
 }
 
@@ -65,7 +76,7 @@ void refuse_rotations(const Scene& scene, std::string_view what) {
 void refuse_scale(const Scene& scene, std::string_view what) {
     if (!scene.scale) { return; }
     throw InputError(fmt::format("{} is not built for scenes with a scale of the time", what),
-                     scene.scale->place, "`stepper`, `module` and `run` take these");
+                     scene.scale->place, "`stepper`, `module`, `run` and `report` take these");
 }
 
 const std::string& title(const Scene& scene) {
@@ -77,6 +88,13 @@ Scene find_scene(const Given& name_or_file, const std::vector<Parameter>& values
     scene.place = whole(name_or_file);
     for (const Parameter& value : values) { static_cast<void>(assign(scene, value)); }
     return scene;
+}
+
+std::string scene_text(const Given& name_or_file) {
+    if (const EmbeddedFile* file = find_embedded(name_or_file->text))
+        return std::string(file->text);
+    check_is_there(name_or_file);
+    return toml_source(name_or_file->text).text;
 }
 
 std::vector<SceneEntry> scenes() {

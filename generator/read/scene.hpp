@@ -176,6 +176,10 @@ void refuse_scale(const Scene& scene, std::string_view what);
 [[nodiscard]] Scene find_scene(const Given& name_or_file,
                                const std::vector<Parameter>& values = {});
 
+/// The TOML of a scene that comes with the program, else of the file. Throws InputError as
+/// find_scene() does, but for what stands in it.
+[[nodiscard]] std::string scene_text(const Given& name_or_file);
+
 /// The scenes that come with the program, by name.
 struct SceneEntry {
     std::string_view name;

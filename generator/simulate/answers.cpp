@@ -217,4 +217,9 @@ Answers ask(const Target& target, const BalanceWishes& wishes,
                       {}, on_progress);
 }
 
+Answers ask(const Target& target, const EventfulRunWishes& wishes) {
+    return answers_to(target, {{}, [&](const FindSteppers& find) { return drive(find, wishes); }},
+                      {}, nullptr);
+}
+
 }  // namespace hvi::gen

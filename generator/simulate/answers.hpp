@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "generator/drive/balance.hpp"
+#include "generator/drive/eventful_run.hpp"
 #include "generator/drive/number_stepper.hpp"
 #include "generator/drive/shadow.hpp"
 #include "generator/drive/tangents.hpp"
@@ -83,8 +84,8 @@ using Target = std::variant<Program, Library, Interpreted>;
                           const std::filesystem::path& file = {},
                           const std::function<void(double)>& on_progress = nullptr);
 
-/// Has a trajectory taken, directions carried along, a modified Hamiltonian or a balance measured,
-/// likewise. Precondition: the target is no
+/// Has a trajectory taken, directions carried along, a modified Hamiltonian, a balance or the end
+/// of a run with events measured, likewise. Precondition: the target is no
 /// Program.
 [[nodiscard]] Answers ask(const Target& target, const TrajectoryWishes& wishes,
                           const std::function<void(double)>& on_progress = nullptr);
@@ -94,5 +95,6 @@ using Target = std::variant<Program, Library, Interpreted>;
                           const std::function<void(double)>& on_progress = nullptr);
 [[nodiscard]] Answers ask(const Target& target, const BalanceWishes& wishes,
                           const std::function<void(double)>& on_progress = nullptr);
+[[nodiscard]] Answers ask(const Target& target, const EventfulRunWishes& wishes);
 
 }  // namespace hvi::gen

@@ -223,21 +223,10 @@ namespace {
 
 /// The event that a driver names.
 const DrivenEvent& event_of(const Answers& answers, const std::string& key,
-                            const EventWishes& wishes) {
+                            const std::vector<DrivenEvent>& events) {
     const auto number = static_cast<std::size_t>(answers.integer(key));
-    if (number >= wishes.events.size()) throw answers.unexpected("it names no event of the run");
-    return wishes.events[number];
-}
-
-/// Why a run with events ended early; nothing where it did not.
-std::string fault_of_event(const Answers& answers, const EventWishes& wishes) {
-    if (answers.has("accumulates"))
-        return fmt::format("the event `{}` comes again and again without time between",
-                           event_of(answers, "accumulates", wishes).name);
-    if (answers.has("undefined"))
-        return fmt::format("the event `{}` has no number for its `zero`",
-                           event_of(answers, "undefined", wishes).name);
-    return {};
+    if (number >= events.size()) throw answers.unexpected("it names no event of the run");
+    return events[number];
 }
 
 /// The frequencies of columns.
@@ -267,6 +256,16 @@ std::vector<ColumnFrequencies> frequencies_of(const std::vector<ColumnBox>& colu
 
 }  // namespace
 
+std::string fault_of_event(const Answers& answers, const std::vector<DrivenEvent>& events) {
+    if (answers.has("accumulates"))
+        return fmt::format("the event `{}` comes again and again without time between",
+                           event_of(answers, "accumulates", events).name);
+    if (answers.has("undefined"))
+        return fmt::format("the event `{}` has no number for its `zero`",
+                           event_of(answers, "undefined", events).name);
+    return {};
+}
+
 Simulation run_simulation(const Target& program, const RunSubject& subject,
                           const TrajectoryWishes& wishes,
                           const std::function<void(double)>& on_progress) {
@@ -282,10 +281,10 @@ Simulation run_simulation(const Target& program, const RunSubject& subject,
     run.rest = answers.number("rest");
     for (const double count : answers.numbers("events", wishes.events.events.size()))
         run.events.push_back(static_cast<std::int64_t>(count));
-    if (const std::string fault = fault_of_event(answers, wishes.events); !fault.empty())
+    if (const std::string fault = fault_of_event(answers, wishes.events.events); !fault.empty())
         run.status = fault;
     if (answers.has("stopped_by"))
-        run.stopped_by = event_of(answers, "stopped_by", wishes.events).name;
+        run.stopped_by = event_of(answers, "stopped_by", wishes.events.events).name;
     const std::vector<std::string>& names = subject.conserved;
     const auto start = answers.numbers("start", names.size()),
                largest = answers.numbers("largest", names.size()),

@@ -174,6 +174,11 @@ struct WrittenReference {
 /// Writes where the scene begins into the file. Throws as ask() does.
 void write_start(const Target& program, const std::filesystem::path& file);
 
+/// Why a run with events ended early; nothing where it did not. Throws EnvironmentError where the
+/// event that is named is none of these.
+[[nodiscard]] std::string fault_of_event(const Answers& answers,
+                                         const std::vector<DrivenEvent>& events);
+
 /// Runs it, which writes the tables, at least one. `on_progress` gets the part of it that is done.
 /// Throws as ask() does.
 [[nodiscard]] Simulation run_simulation(const Target& program, const RunSubject& subject,

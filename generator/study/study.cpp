@@ -8,6 +8,7 @@
 
 #include "generator/simulate/simulation.hpp"
 #include "generator/study/departures.hpp"
+#include "generator/study/eventful.hpp"
 #include "generator/study/large_reference.hpp"
 #include "generator/study/peers.hpp"
 #include "generator/study/work.hpp"
@@ -68,13 +69,41 @@ struct LargePrograms {
     }
 };
 
-WorkCurve curve(const Contender& contender, const Course& course, const MeasureSteps& measure) {
+/// Runs of a method on a scene.
+struct RunsOfMethod {
+    MeasureSteps measure;
+    MeasureAgain again;
+    SampleDepartures sample;
+};
+
+/// Of equal steps that lead to the end.
+RunsOfMethod equal_steps(const Contender& contender, const Course& course, MeasureSteps measure) {
+    return {
+        measure,
+        [measure](const WorkPoint& point, double seconds) { return measure(point.steps, seconds); },
+        [contender, until = course.until](const WorkPoint& point) {
+            const Steps steps{until / static_cast<double>(point.steps), point.steps};
+            return sample_departures(contender.module.target(), steps, departure_parts);
+        }};
+}
+
+RunsOfMethod eventful_steps(const Contender& contender, const Course& course,
+                            const EventfulRuns& runs) {
+    return {[=](std::int64_t count, double seconds) {
+                return runs.measured(contender, course.size_of(count), seconds);
+            },
+            [=](const WorkPoint& point, double seconds) {
+                return runs.measured(contender, point.h, seconds);
+            },
+            [=](const WorkPoint& point) {
+                return runs.departures(contender, point.h, departure_parts);
+            }};
+}
+
+WorkCurve curve(const Contender& contender, const Course& course, const RunsOfMethod& runs) {
     WorkCurve curve{contender.title, contender.order, false, {}, {}};
-    curve.points = work_points(course, measure);
-    curve.departures = departures(course, curve.points, [&](const WorkPoint& point) {
-        const Steps steps{course.until / static_cast<double>(point.steps), point.steps};
-        return sample_departures(contender.module.target(), steps, departure_parts);
-    });
+    curve.points = work_points(course, runs.measure);
+    curve.departures = departures(course, curve.points, runs.sample);
     return curve;
 }
 
@@ -99,11 +128,9 @@ public:
         return TimeSpent::Part(time_spent_, what);
     }
 
-    void run(const Contender& contender, const Course& course, const MeasureSteps& measure) {
+    void run(const Contender& contender, const Course& course, const RunsOfMethod& runs) {
         const auto part = begin("running " + contender.title);
-        add(curve(contender, course, measure), [measure](const WorkPoint& point, double seconds) {
-            return measure(point.steps, seconds);
-        });
+        add(curve(contender, course, runs), runs.again);
     }
 
     void run(const Team& team, const SceneStepper& stepper, const Course& course) {
@@ -154,8 +181,36 @@ void study_written_out(Builds& builds, const LoweredScene& scene, double until,
     const Course course{report.reference, until, first_count, wishes.steps,
                         !scene.system.time.has_value()};
     for (const Contender& contender : all.contenders)
-        study.run(contender, course, measured(contender, until));
+        study.run(contender, course, equal_steps(contender, course, measured(contender, until)));
     for (const Team& team : all.teams) study.run(team, *all.for_peers, course);
+    study.run_again();
+}
+
+/// NOTE: of scaled time the length of a run is not known, and does not matter.
+void study_eventful(Builds& builds, const LoweredScene& scene, double until,
+                    std::int64_t first_count, const StudyWishes& wishes, SceneReport& report,
+                    TimeSpent& time_spent) {
+    Study study(report, time_spent, wishes.methods.size() + other_parts);
+    const EventfulRuns runs(scene, until);
+    std::vector<Contender> contenders;
+    {
+        const auto part = study.begin("deriving and writing steppers");
+        contenders.push_back(eventful_reference_contender(builds, scene));
+        for (const StudiedMethod& method : wishes.methods)
+            contenders.push_back(contender(builds, method, scene, Solver::automatic));
+    }
+    {
+        const auto part = study.begin("compiling");
+        for (const Contender& each : contenders) each.module.wait_for_all();
+    }
+    {
+        const auto part = study.begin("reference");
+        report.reference = runs.reference(contenders.front(), until, first_count);
+    }
+    Course course{report.reference, until, first_count, wishes.steps, !scene.system.time};
+    course.variable = runs.variable();
+    for (std::size_t i = 1; i < contenders.size(); ++i)
+        study.run(contenders[i], course, eventful_steps(contenders[i], course, runs));
     study.run_again();
 }
 
@@ -179,7 +234,8 @@ void study_with_loops(Builds& builds, const LoweredScene& scene, double until,
         Course course{report.reference, until, first_count, wishes.steps};
         course.longest_run = longest_of_large_search;
         course.first_count = affordable(contender, course);
-        study.run(contender, course, all->reference.measured(contender));
+        study.run(contender, course,
+                  equal_steps(contender, course, all->reference.measured(contender)));
     }
     study.run_again();
 }
@@ -190,7 +246,9 @@ void study(Builds& builds, const Scene& scene, double until, std::int64_t first_
            const StudyWishes& wishes, SceneReport& report, TimeSpent& time_spent) {
     report = {scene.name, scene.description, until, {}, {}};
     const LoweredScene system = lowered(scene, wishes.sums);
-    const auto& of_form = system.written ? study_written_out : study_with_loops;
+    const auto& of_form = is_eventful(scene) ? study_eventful
+                          : system.written   ? study_written_out
+                                             : study_with_loops;
     of_form(builds, system, until, first_count, wishes, report, time_spent);
 }
 

@@ -28,7 +28,7 @@ struct StudyWishes {
 /// Compiles and runs all of it, and says on standard error what it is at, where that is a terminal.
 /// `until` is the time at the end. It adds to `report` as it goes, so that what there is can be
 /// kept where it throws, as scene_stepper(), a Build and ask() do. Libraries are measured where
-/// sums are written out.
+/// sums are written out and nothing is_eventful(), which takes sums that are written out, too.
 void study(Builds& builds, const Scene& scene, double until, std::int64_t first_count,
            const StudyWishes& wishes, SceneReport& report, TimeSpent& time_spent);
 

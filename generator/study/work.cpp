@@ -124,16 +124,26 @@ std::vector<std::int64_t> spread_out(const Range& range) {
     return counts;
 }
 
+std::int64_t count_of(double h, double until) {
+    return std::max<std::int64_t>(1, std::llround(std::abs(until / h)));
+}
+
 std::vector<std::int64_t> counts_of(const std::vector<double>& steps, double until) {
     std::vector<std::int64_t> counts;
-    for (const double h : steps)
-        counts.push_back(std::max<std::int64_t>(1, std::llround(std::abs(until / h))));
+    for (const double h : steps) counts.push_back(count_of(h, until));
     std::sort(counts.begin(), counts.end());
     counts.erase(std::unique(counts.begin(), counts.end()), counts.end());
     return counts;
 }
 
 }  // namespace
+
+double Course::size_of(std::int64_t count) const {
+    if (variable == StepVariable::scaled_time)
+        for (const double h : steps)
+            if (count_of(h, until) == count) return h;
+    return until / static_cast<double>(count);
+}
 
 WorkPoint work_point(const Course& course, const Measurement& run) {
     const auto* end = std::get_if<EndOfRun>(&run.end);
@@ -162,8 +172,8 @@ WorkPoint work_point(const Course& course, const Measurement& run) {
 WorkPoint work_point(const Course& course, const MeasureSteps& measure, std::int64_t count,
                      double seconds) {
     WorkPoint point = work_point(course, measure(count, seconds));
-    point.h = course.until / static_cast<double>(count);
-    point.steps = count;
+    point.h = course.size_of(count);
+    if (course.variable == StepVariable::time) point.steps = count;
     return point;
 }
 

@@ -14,14 +14,23 @@ namespace hvi::gen {
 constexpr double longest_of_search = 0.5;
 constexpr double longest_of_large_search = 2;  // of scenes of any size
 
+/// What steps are of.
+enum class StepVariable { time, scaled_time };
+
 /// What runs are compared by.
 struct Course {
     Reference reference;
-    double until = 0;
+    double until = 0;                        ///< the time; of scaled time some length, of which
+                                             ///< the sizes of steps are parts
     std::int64_t first_count = 1;            ///< steps to begin a search with
     std::vector<double> steps;               ///< sizes that are wished for; empty: found by search
     bool keeps_energy = true;                ///< the exact motion does
     double longest_run = longest_of_search;  ///< seconds: no more work is looked for after it
+    StepVariable variable = StepVariable::time;
+
+    /// The size of so many steps. NOTE: no number of steps of scaled time leads to the end, so that
+    /// a size that is wished for is taken as it is.
+    [[nodiscard]] double size_of(std::int64_t count) const;
 };
 
 constexpr double seconds_of_timing = 0.05;  // of each point, in each round

@@ -15,8 +15,8 @@ Blocks between fences, in the order of the page:
                      this begins with `error: `
   all else           is read by people alone
 
-A block behind a line `<!-- not run: REASON -->` is not looked at. Programs find hvi-gen, and the headers
-in ~/.local/include, as if it were installed; `examples` is the one of the checkout.
+A block behind a line `<!-- not run: REASON -->` is not looked at. Programs find hvi-gen, the package of
+Python, and the headers in ~/.local/include, as if hvi were installed; `examples` is the one of the checkout.
 
 What is printed has the same words as the page. Times may be any: a number before ns, us, ms or s.
 Other numbers depend on the processor in their last digits. They agree to a hundredth, those with an
@@ -191,10 +191,12 @@ def environment(arguments):
         (include / file.name).symlink_to(file)
     (include / "generated").symlink_to(arguments.root / "generated/hvi/generated")
     (programs / "hvi-gen").symlink_to(arguments.hvi_gen)
+    (programs / "python3").symlink_to(sys.executable)
     (place / "here/examples").symlink_to(arguments.root / "examples")
     path = [str(programs), "/usr/lib/ccache", os.environ["PATH"]]
     return {**os.environ, "HOME": str(place / "home"), "PATH": ":".join(path), "LC_ALL": "C.UTF-8",
-            "COLUMNS": "100", "XDG_CACHE_HOME": str(place / "home/.cache")}
+            "COLUMNS": "100", "PYTHONPATH": str(arguments.root / "python"),
+            "PYTHONDONTWRITEBYTECODE": "1", "XDG_CACHE_HOME": str(place / "home/.cache")}
 
 
 def main():

@@ -200,3 +200,14 @@ TEST_CASE("errors of --param") {
     CHECK(refused_parameter("w=0:0.1:2").says("no range"));
     CHECK_FALSE(refused_parameter("w=0:0.1:2").helps("gauss"));
 }
+
+TEST_CASE("names of other programs are known") {
+    for (const std::string name : {"verlet", "leapfrog", "velocity-verlet"})
+        CHECK(named(name).name == "stormer-verlet");
+    CHECK(named("implicit-midpoint").origin == "--method midpoint");
+    CHECK(refused_method("rk4").helps("`gauss:2`"));
+    CHECK(refused_method("rk4").helps("drifts"));
+    CHECK(refused_method("forest-ruth").helps("`--compose yoshida:4`"));
+    CHECK(refused_method("gauss-legendre:3").helps("`gauss:S`"));
+    CHECK(refused_method("leapfrogs").helps("did you mean `leapfrog`?"));
+}

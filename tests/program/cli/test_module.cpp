@@ -1,5 +1,7 @@
 // Files and refusals of `hvi-gen module`.
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <algorithm>
+
 #include <catch2/catch.hpp>
 
 #include "tests/program/cli/refusals.hpp"
@@ -83,7 +85,6 @@ TEST_CASE("a scene without a name that C takes gives its module another") {
 
 TEST_CASE("modules that cannot be are refused") {
     const std::vector<Refusal> refusals = {
-        {2, "python", {"module", "--language", "python", "kepler"}},
         {2, "cobol", {"module", "--language", "cobol", "kepler"}},
         {2, "1st", {"module", "--name", "1st", "kepler"}},
         {2, "a-b", {"module", "--name", "a-b", "kepler"}},
@@ -99,8 +100,6 @@ TEST_CASE("modules that cannot be are refused") {
         {2, "", {"module", "--basis", "1, exp(w*tau)", "--nodes", "0, 1", "kepler"}},
     };
     for (const Refusal& refusal : refusals) check_refused(refusal, refusal.words);
-    CHECK(text_has(hvi_gen({"module", "--language", "python", "kepler"}).err, "is to come"));
-    CHECK_FALSE(text_has(hvi_gen({"module", "--help"}).out, "python"));
 }
 
 TEST_CASE("a module needs to know where its scene begins") {
@@ -112,4 +111,19 @@ TEST_CASE("a module needs to know where its scene begins") {
     CHECK(outcome.status == 2);
     CHECK(text_has(outcome.err, "the scene has no `initial`"));
     CHECK(directory.names() == std::vector<std::string>{"free.toml"});
+}
+
+TEST_CASE("a package in Python has its library") {
+    const Directory directory;
+    const Outcome outcome = hvi_gen(
+        {"module", "--method", "midpoint", "--language", "python", "--name", "planet", "kepler"},
+        directory.path());
+    CHECK(outcome.status == 0);
+    const std::vector<std::string> names = names_in(directory / "planet");
+    for (const std::string name : {"__init__.py", "_stepper.py", "libplanet.so", "py.typed"})
+        CHECK(std::find(names.begin(), names.end(), name) != names.end());
+    const std::string text = contents(directory / "planet/__init__.py");
+    CHECK(
+        text_has(text, "hvi-gen module --method midpoint kepler --name planet --language python"));
+    CHECK(text_has(text, "method=\"midpoint\""));
 }

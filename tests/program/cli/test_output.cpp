@@ -9,6 +9,7 @@
 #include <catch2/catch.hpp>
 
 #include "generator/options/option_table.hpp"
+#include "tests/checkout.hpp"
 #include "tests/program/cli/results.hpp"
 
 using namespace hvi::test;
@@ -37,6 +38,25 @@ TEST_CASE("help and version go to standard output") {
     }
     CHECK(hvi_gen({"--version"}).out == "hvi-gen 0.1.0\n");
     CHECK(hvi_gen({"tableau", "--help"}).out.find("--digits") != std::string::npos);
+}
+
+TEST_CASE("help of a command by its name") {
+    CHECK(hvi_gen({"help"}).out == hvi_gen({"--help"}).out);
+    CHECK(hvi_gen({"help", "run"}).out == hvi_gen({"run", "--help"}).out);
+    CHECK_THAT(hvi_gen({"help", "runn"}).err, Catch::Contains("did you mean `run`?"));
+    CHECK(hvi_gen({"help", "runn"}).status == 2);
+}
+
+TEST_CASE("a scene is shown as it is written") {
+    const Directory directory;
+    const std::string text = hvi_gen({"show", "kepler"}).out;
+    CHECK(text == contents(in_checkout("examples/scenes/kepler.toml")));
+    write(directory / "mine.toml", text);
+    CHECK(hvi_gen({"show", "mine.toml"}, directory.path()).out == text);
+    CHECK(hvi_gen({"show", "-o", "copy.toml", "kepler"}, directory.path()).status == 0);
+    CHECK(contents(directory / "copy.toml") == text);
+    CHECK_THAT(hvi_gen({"show", "keplar"}).err, Catch::Contains("did you mean `kepler`?"));
+    CHECK_THAT(hvi_gen({"show"}).err, Catch::Contains("no scene is given"));
 }
 
 TEST_CASE("lines of help have at most 100 columns") {

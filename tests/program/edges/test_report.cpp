@@ -101,6 +101,21 @@ TEST_CASE("gauss:2 does at the edges what it should") {
         CHECK(
             find(runs, "kepler", what).at("expected").get<std::string>().find("at the end more") ==
             0);
+    const json time = checks_of(report, "time");
+    CHECK(time.size() == 21);
+    CHECK(
+        find(time, "ball", "infinitely many").at("seen").get<std::string>().find("t = 2.9999999") !=
+        std::string::npos);
+    CHECK(find(time, "oscillator", "dt/ds = 1 - t")
+              .at("seen")
+              .get<std::string>()
+              .rfind("the time does not go on with the steps at t = 1,", 0) == 0);
+    CHECK(find(time, "ball", "-p/2, said").at("seen") == "refused");
+    CHECK(find(time, "ball", "a jump at t = 1")
+              .at("seen")
+              .get<std::string>()
+              .find("q = 0.5, 0.375,") != std::string::npos);
+    CHECK(find(time, "checkpoint", "numbers").at("seen") == "10 with their bits");
     const json symplecticity = checks_of(report, "symplecticity");
     CHECK(symplecticity.size() == 46);
     // (32 steps + 4) 2^-53.
@@ -194,6 +209,33 @@ TEST_CASE("a stepper that is wrong is seen to be wrong, in each chapter") {
         CHECK(check.at("agrees") == (others.count(check.at("scene")) == 1));
     }
     CHECK(contents(directory / "out/report.html").find("NOT as expected") != std::string::npos);
+}
+
+// Positions move half as far: the frequency is sqrt(1/2), so that p is zero at 4.4 and 8.9, a fall
+// takes sqrt(2), and walls are met at t = 2, the end. What depends on the time alone stays.
+TEST_CASE("a stepper that moves too slowly is seen where events are counted") {
+    const Directory directory;
+    const std::string edit = "[ -f main.cpp ] && sed -i"
+                             " -e 's/x.q\\[k\\] + h \\* slope/x.q[k] + 0.5 * h * slope/' main.cpp";
+    const Outcome result = shell(compiler(directory, edit) +
+                                     "hvi-gen report --only time,json --methods stormer-verlet "
+                                     "-o out",
+                                 directory.path());
+    INFO(result.err);
+    CHECK(result.status == 1);
+    const json time = checks_of(json::parse(contents(directory / "out/report.json")), "time");
+    const auto agrees = [&](const std::string& scene, const std::string& words) {
+        const json check = find(time, scene, words);
+        INFO(check.dump());
+        return check.at("agrees").get<bool>();
+    };
+    CHECK_FALSE(agrees("oscillator", "zero where the run begins"));
+    CHECK_FALSE(agrees("oscillator", "a function that is no number"));
+    CHECK_FALSE(agrees("ball", "infinitely many"));
+    CHECK_FALSE(agrees("corner", "two walls"));
+    CHECK(agrees("oscillator", "zero where the run ends"));
+    CHECK(agrees("oscillator", "zero twice"));
+    CHECK(agrees("oscillator", "steps backward"));
 }
 
 TEST_CASE("edges of one's own scene, in its report") {

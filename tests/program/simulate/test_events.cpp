@@ -308,6 +308,43 @@ TEST_CASE("events of a thousand, and the columns of their table") {
     }
 }
 
+// q[i] is sin(t), p[i] is cos(t), and no force is between neighbours. Both places of each event are
+// in one step.
+TEST_CASE("two events in one step are found where sums stay loops, up to a size") {
+    const std::string ring =
+        "hamiltonian = \"sum(i=1..N, p[i]^2/2 + q[i]^2/2 + (q[i] - q[mod(i, N) + 1])^2/2)\"\n"
+        "coordinates = [\"q[1..N]\"]\nmomenta = [\"p[1..N]\"]\n"
+        "initial = {\"q[i]\" = 0, \"p[i]\" = 1}\n"
+        "run = {method = \"gauss:6\", step = \"1/10\", until = 4}\n"
+        "[events.high]\nzero = \"q[2] - 99995/100000\"\n"
+        "[events.sum]\nzero = \"sum(i=1..N, q[i]) - N*99995/100000\"\n"
+        "[events.slow]\nzero = \"p[N] + 99995/100000\"\n"
+        "[events.time]\nzero = \"(t - 31/20)^2 - 1/1000000\"\n";
+    const auto words_of = [](int n) { return "--unroll no --param N=" + std::to_string(n); };
+    const SceneRun found = run_scene(ring + "[parameters]\nN = 300\n", words_of(300));
+    INFO(found.outcome.err);
+    REQUIRE(found.outcome.status == 0);
+    REQUIRE(found.events.size() == 9);
+    const double width = std::acos(0.99995);
+    const auto check = [&](std::size_t k, const std::string& name, double t) {
+        CHECK(found.events[k + 1].rfind(name, 0) == 0);
+        CHECK(std::abs(found.event(k)[0] - t) < 1e-10);
+    };
+    check(0, "time,1,", 1.549);
+    check(1, "time,2,", 1.551);
+    CHECK(std::abs(found.event(2)[0] - (pi / 2 - width)) < 1e-10);
+    CHECK(std::abs(found.event(3)[0] - (pi / 2 - width)) < 1e-10);
+    CHECK(std::abs(found.event(4)[0] - (pi / 2 + width)) < 1e-10);
+    CHECK(std::abs(found.event(5)[0] - (pi / 2 + width)) < 1e-10);
+    check(6, "slow,1,", pi - width);
+    check(7, "slow,2,", pi + width);
+    // H is too long here to be written out.
+    const SceneRun large = run_scene(ring + "[parameters]\nN = 8000\n", words_of(8000));
+    INFO(large.outcome.err);
+    CHECK(large.outcome.status == 0);
+    CHECK(large.events.size() == 1);
+}
+
 TEST_CASE("events of lists in files, where sums stay loops") {
     use_cache();
     const Directory directory;

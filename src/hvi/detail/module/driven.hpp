@@ -17,7 +17,7 @@ template <class Problem>
 class Driven {
 public:
     [[nodiscard]] static constexpr DrivenFunctions functions() {
-        return {driven_version, take_solvers, create, destroy, sizes,     counts,
+        return {driven_version, take_solvers, create, destroy, sizes,  counts,
                 begin,          take,         follow, reset,   energy, invariants};
     }
 
@@ -77,7 +77,7 @@ private:
         return advance(instance, state, [&](Of& stepper) {
             Run run;
             for (std::int64_t k = 0; k < steps && run.ok(); ++k) {
-                run = stepper.take(h, 1);
+                run = stepper.take_one(h);
                 if (run.ok()) { see(stepper, departures); }
             }
             return run;

@@ -157,7 +157,7 @@ public:
         return with(handle, [&](Of& of) {
             if (state == nullptr) { return number_of(Answer::null_pointer); }
             of.read(state);
-            const Run run = of.take(h, 1);
+            const Run run = of.take_one(h);
             of.write(state);
             return number_of(run.status.code());
         });

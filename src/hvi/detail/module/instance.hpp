@@ -54,12 +54,19 @@ public:
     void read(const double* numbers) { read(numbers, x_); }
     void write(double* numbers) const { write(x_, numbers); }
 
-    /// NOTE: not inlined, so that a step is compiled once.
+    /// NOTE: not inlined, so that a step is compiled once: another copy of it may contract other
+    /// products, and so round otherwise.
     [[gnu::noinline]] Run take(double h, std::int64_t steps) {
         const Run run = taken(static_cast<Scalar>(h), steps);
         steps_ += run.steps;
         iterations_ += run.iterations;
         return run;
+    }
+
+    /// NOTE: a compiler that sees the 1 makes a copy of take() for it.
+    Run take_one(double h) {
+        const volatile std::int64_t one = 1;
+        return take(h, one);
     }
 
     /// Calls f(stepper, x) for a state. NOTE: x is not that of steps, so that several threads may
@@ -79,16 +86,15 @@ private:
     Run taken(Scalar h, std::int64_t steps) {
         if constexpr (std::is_trivially_copyable_v<Stepper> &&
                       std::is_trivially_copyable_v<State>) {
-            if (steps > 1) {
-                Stepper stepper = stepper_;
-                State x = x_;
-                const Run run = detail::take(stepper, x, h, steps);
-                stepper_ = stepper;
-                x_ = x;
-                return run;
-            }
+            Stepper stepper = stepper_;
+            State x = x_;
+            const Run run = detail::take(stepper, x, h, steps);
+            stepper_ = stepper;
+            x_ = x;
+            return run;
+        } else {
+            return detail::take(stepper_, x_, h, steps);
         }
-        return detail::take(stepper_, x_, h, steps);
     }
 
     static void read(const double* numbers, State& x) {

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/drive/driven_event.hpp"
+
+#include <driver/answer.hpp>
+
+namespace hvi::gen {
+
+Event<DrivenStepper> end_of_clock(const ScaledClock& clock) {
+    Event<DrivenStepper> event;
+    event.zero = [until = clock.until](const DrivenStepper::State& x, double) {
+        return x.q.back() - until;
+    };
+    event.act = [](DrivenStepper::State&, double) { return After::stop; };
+    return event;
+}
+
+DrivenStepper::State without_clock(DrivenStepper::State x) {
+    x.q.pop_back();
+    x.p.pop_back();
+    return x;
+}
+
+void tell_ending(const EventRun<double>& run, std::size_t end_of_clock) {
+    const auto event = static_cast<std::int64_t>(run.event);
+    driver::say("status", run.ending == Ending::failed_step ? run.run.status.message() : "ok");
+    if (run.ending == Ending::event && run.event != end_of_clock) driver::say("stopped_by", event);
+    if (run.ending == Ending::time_stands)
+        driver::say("status", "the time does not go on with the steps");
+    if (run.ending == Ending::accumulation) driver::say("accumulates", event);
+    if (run.ending == Ending::undefined) driver::say("undefined", event);
+}
+
+}  // namespace hvi::gen

@@ -1,0 +1,14 @@
+// What packages in Python have of the package hvi, which is part of hvi-gen.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <span>
+
+#include "generator/support/embedded.hpp"
+
+namespace hvi::gen {
+
+/// The files of python/hvi that steppers need, by their names there.
+[[nodiscard]] std::span<const EmbeddedFile> embedded_python();
+
+}  // namespace hvi::gen

@@ -1,0 +1,34 @@
+// A package in Python around the library of a module.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "generator/pipeline/stepper.hpp"
+
+namespace hvi::gen {
+
+/// A file of a package, by its name in the folder of the package.
+struct PackageFile {
+    std::string name, text;
+};
+
+/// Times of the scene's [run], where it has them.
+struct PackageTimes {
+    std::optional<double> step, until;
+};
+
+/// The name of the library in a package of that name.
+[[nodiscard]] std::string package_library(const std::string& name);
+
+/// Writes the files of the package beside its library: the class Stepper, what it needs of the
+/// package hvi, and what the library does not know of itself, as defaults of parameters. `command`
+/// writes them again. Preconditions: as of c_module().
+[[nodiscard]] std::vector<PackageFile> python_package(const SceneStepper& stepper,
+                                                      const std::string& name,
+                                                      const std::string& command,
+                                                      const PackageTimes& times);
+
+}  // namespace hvi::gen
