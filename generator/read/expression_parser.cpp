@@ -196,6 +196,7 @@ void ExpressionParser::fail_missing_operator() const {
 void ExpressionParser::fail_unknown_function(const Token& name) const {
     const std::string called = text(name.range);
     const std::string product = fmt::format("a product is written `{}*(...)`", called);
+    const std::string_view others = is_list() ? "" : "; a scene has others in [functions]";
     std::vector<std::string_view> names;
     for (const Function& function : functions())
         if (!is_if(function.name) && (is_list() || !is_of_lists(function.name)))
@@ -205,8 +206,8 @@ void ExpressionParser::fail_unknown_function(const Token& name) const {
     fail(name.range, fmt::format("there is no function `{}`", called),
          is_reserved(called) ? product
                              : did_you_mean(called, names,
-                                            fmt::format("the functions are {}; {}",
-                                                        fmt::join(names, ", "), product)));
+                                            fmt::format("the functions are {}{}; {}",
+                                                        fmt::join(names, ", "), others, product)));
 }
 
 void ExpressionParser::check_argument_count(const Expression& call) const {

@@ -104,6 +104,7 @@ TEST_CASE("a call has as many arguments as its function") {
           "`V` is a function and wants an argument");
     CHECK(files.refused(edited(well, "V(r)", "V()")).what == "`V` wants an argument");
     CHECK(files.refused(edited(well, "V(r)", "W(r)")).what == "there is no function `W`");
+    CHECK(refused(planet, "mu/sqrt", "foobar(mu)/sqrt").helps("a scene has others in [functions]"));
     CHECK(files.refused(edited(well, "V(r)", "V_1(r)")).what == "there is no function `V_1`");
     CHECK(files.refused(edited(well, "V(r)", "V[1]")).says("`V[1]`"));
     CHECK(refused(planet, "mu/sqrt", "V(mu)/sqrt").what == "there is no function `V`");
