@@ -168,7 +168,7 @@ void check_claim(const WrittenOutScene& scene, const SceneEvent& event) {
     const CanonicalFinding found = canonical(*H, scene.parameters, event);
     if (found.holds == Vanishing::refuted)
         throw InputError("the motion with this jump is not symplectic: " + found.fault,
-                         event.canonical, "docs/time.md says what a jump has to keep");
+                         event.canonical, "docs/events.md says what a jump has to keep");
     if (found.holds == Vanishing::unknown)
         warn("it is not seen whether the motion with the jump of `" + event.name +
              "` is symplectic: " + found.fault);

@@ -88,7 +88,7 @@ std::size_t operations_written_out(const IndexedExpression& expression, const Wh
 }
 
 UnrollDecision unroll_decision(const Scene& scene, const UnrollWish& wish) {
-    // NOTE: measured; see docs/large.md.
+    // NOTE: measured; see docs/inside/large.md.
     constexpr std::size_t most_operations = 2000;
     if (!has_indices(scene.coordinates) && !has_indices(scene.rotations)) {
         return {true, "no variable has an index"};

@@ -19,7 +19,7 @@ struct SceneStatements {
     std::vector<Statement> statements;
 };
 
-/// `kept`, `not kept in general`, ...: what a summary says.
+/// `conserved`, `not conserved exactly by this method`, ...: what a summary says.
 [[nodiscard]] std::string_view keeping_text(Keeping keeping);
 
 }  // namespace hvi::gen

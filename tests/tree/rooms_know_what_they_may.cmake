@@ -1,9 +1,9 @@
-# Compares what the files of each room include with the table of docs/architecture.md: a room includes
+# Compares what the files of each room include with the table of docs/inside/architecture.md: a room includes
 # what it knows, knows nothing that it does not include, and only rooms that stand above it.
 # SPDX-License-Identifier: GPL-2.0-or-later
 
 cmake_minimum_required(VERSION 3.25)
-file(STRINGS "${ROOT}/docs/architecture.md" lines REGEX "^[|] `[a-z/]+` [|]")
+file(STRINGS "${ROOT}/docs/inside/architecture.md" lines REGEX "^[|] `[a-z/]+` [|]")
 set(above)
 set(faults)
 foreach(line IN LISTS lines)
@@ -45,5 +45,5 @@ foreach(header IN LISTS headers)
     endif()
 endforeach()
 if(faults)
-    message(FATAL_ERROR "docs/architecture.md and the files are not of one mind:${faults}")
+    message(FATAL_ERROR "docs/inside/architecture.md and the files are not of one mind:${faults}")
 endif()

@@ -143,7 +143,7 @@ TEST_CASE("there is a function of type I where the end's positions depend on all
     CHECK_FALSE(has_type_one("0, 0, 0, 0; 0, 0, 0, 1; 0, 0, 1, 0; 0, 1, 0, 0"));
     CHECK(has_type_one("2, 0, 0, 0; 0, 0, 0, 0; 0, 0, 0, 1; 0, 0, 1, 0"));
     // p1^2/2 + q1 p2: d2H/dp2 is singular, and q_1 all the same depends on both momenta (see
-    // docs/paper.md, where type I fails), but where one stage tells it of them.
+    // docs/inside/paper.md, where type I fails), but where one stage tells it of them.
     const char* const hidden = "0, 0, 0, 1; 0, 0, 0, 0; 0, 0, 1, 0; 1, 0, 0, 0";
     CHECK(has_type_one(hidden, "gauss:2"));
     CHECK_FALSE(has_type_one(hidden, "midpoint"));

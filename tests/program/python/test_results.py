@@ -111,7 +111,7 @@ k = [1, 4]
 class Examples(TestCase):
     def test_blocks_of_the_manual(self):
         page = Path(os.environ["HVI_PYTHON_PACKAGE"]).parent / "docs/python.md"
-        blocks = re.findall(r"```python\n(.*?)```", page.read_text(encoding="utf-8"), re.DOTALL)
+        blocks = re.findall(r"```python\n(?!# \w+[.]py\n)(.*?)```", page.read_text(encoding="utf-8"), re.DOTALL)
         self.assertGreater(len(blocks), 4)
         names = {}
         with contextlib.redirect_stdout(io.StringIO()) as out:

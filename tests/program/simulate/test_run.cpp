@@ -182,8 +182,8 @@ until  = 1
             if (line.rfind(name + " ", 0) == 0) return line.substr(line.find(';') + 2);
         return std::string();
     };
-    CHECK(said("momentum_map_1") == "kept");
-    CHECK(said("energy") == "not kept in general");
+    CHECK(said("momentum_map_1") == "conserved");
+    CHECK(said("energy") == "not conserved exactly by this method");
     const std::string wrong =
         "{wrong, H} = px^2-4*x^4-4*x^2*y^2 is not zero as a function of q and p";
     CHECK(said("wrong").rfind(wrong + "; on this run wrong changed by ", 0) == 0);

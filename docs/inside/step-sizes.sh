@@ -1,10 +1,10 @@
 #!/bin/sh
-# Measures what docs/scenes.md says of step sizes, and draws its picture: sh docs/step-sizes.sh HVI-GEN
+# Measures what docs/inside/scenes.md says of step sizes, and draws its picture: sh docs/inside/step-sizes.sh HVI-GEN
 # Prints for each scene and method how much dearer a unit of time becomes with a larger step: the
 # time over the least of all smaller steps, at its worst, and the same of iterations.
 # SPDX-License-Identifier: GPL-2.0-or-later
 set -eu
-cd "$(dirname "$0")/.."
+cd "$(dirname "$0")/../.."
 hvi_gen=$(realpath "${1:-build/dev/generator/hvi-gen}")
 data=$PWD/build/step-sizes
 mkdir -p "$data"
@@ -15,7 +15,7 @@ measure() {
     for stages in 2 4 8 12 16; do
         "$hvi_gen" stepper --method "gauss:$stages" "$scene" --name Measured -o "$data/measured.hpp"
         ${CXX:-c++} -std=c++17 -O3 -march=native -I src -I "$data" -DHEADER='<measured.hpp>' \
-            -DSTEPPER=Measured docs/step-sizes.cpp -o "$data/measured"
+            -DSTEPPER=Measured docs/inside/step-sizes.cpp -o "$data/measured"
         "$data/measured" "$from" "$to" 40 >"$data/$(basename "$scene" .toml)-$stages.dat"
         awk -v name="$scene gauss:$stages" '
             NR == 1 || $2 < iterations { iterations = $2 }
@@ -36,4 +36,4 @@ measure double-pendulum 0.01 1
 measure point-vortices 0.05 9
 measure fpu 0.005 1
 measure tests/runtime/lanes/masses.toml 0.005 1
-gnuplot docs/step-sizes.gp
+gnuplot docs/inside/step-sizes.gp

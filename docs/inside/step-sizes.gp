@@ -1,4 +1,4 @@
-# Draws the picture of step sizes in docs/scenes.md from the data of docs/step-sizes.sh, which calls it.
+# Draws the picture of step sizes in docs/inside/scenes.md from the data of docs/inside/step-sizes.sh, which calls it.
 # SPDX-License-Identifier: GPL-2.0-or-later
 set terminal svg size 860,820 dynamic font "sans-serif,13" background "white"
 set grid linecolor rgb "#d8d8d8"
