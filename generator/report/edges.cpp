@@ -6,7 +6,7 @@
 
 #include "generator/emit/text/embedded.hpp"
 #include "generator/report/markup.hpp"
-#include "generator/report/render.hpp"
+#include "generator/report/sections.hpp"
 
 namespace hvi::gen {
 
@@ -29,49 +29,36 @@ std::string row(const EdgeCheck& check, const EdgeCheck* before) {
 }
 
 std::string table(const EdgeChapter& chapter) {
-    std::string text = "<div class=\"scroll words\"><table>\n<tr>";
+    std::string text = "<div class=\"scroll\"><table class=\"words\">\n<thead><tr>";
     for (const char* head : {"method", "scene", "case", "expected", "seen", "agrees"})
         text += fmt::format("<th>{}</th>", head);
-    text += "</tr>\n";
+    text += "</tr></thead>\n<tbody>\n";
     const EdgeCheck* before = nullptr;
     for (const EdgeCheck& check : chapter.checks) {
         text += row(check, before);
         before = &check;
     }
-    return text + "</table></div>\n";
+    return text + "</tbody></table></div>\n";
 }
 
-std::string section(const EdgeChapter& chapter, const std::vector<Picture>& pictures) {
+std::string section(const EdgeChapter& chapter, const std::vector<Picture>& pictures,
+                    const std::string& id) {
     const std::ptrdiff_t wrong = disagreements(chapter);
     std::string text =
-        fmt::format("<h3>{}</h3>\n<p>{}</p>\n<p>{} cases, {}.</p>\n", escaped(chapter.title),
-                    escaped(chapter.about), chapter.checks.size(),
+        fmt::format("<h3 id=\"{}\">{}</h3>\n<p>{}</p>\n<p>{} cases, {}.</p>\n", id,
+                    escaped(chapter.title), escaped(chapter.about), chapter.checks.size(),
                     wrong == 0 ? "all as expected" : fmt::format("{} NOT as expected", wrong));
-    for (const Picture& picture : pictures) text += inlined(picture.svg) + "\n";
-    return text + table(chapter);
-}
-
-std::string verdict(const Report& report) {
-    std::ptrdiff_t wrong = 0;
-    std::size_t all = 0;
-    for (const EdgeChapter& chapter : report.edges) {
-        wrong += disagreements(chapter);
-        all += chapter.checks.size();
-    }
-    return wrong == 0 ? fmt::format("<p>All of {} cases are as expected.</p>", all)
-                      : fmt::format("<p class=\"incomplete\">{} of {} cases are not as "
-                                    "expected.</p>",
-                                    wrong, all);
+    return text + pictures_html(pictures, id) + table(chapter);
 }
 
 }  // namespace
 
 std::string edges_html(const Report& report, const Pictures& pictures) {
     if (report.edges.empty()) return "";
-    std::string text = std::string(embedded_template("edges.html")) + verdict(report) + "\n";
+    std::string text(embedded_template("edges.html"));
     for (std::size_t i = 0; i < report.edges.size(); ++i)
-        text += section(report.edges[i], pictures.of_edges[i]);
-    return text;
+        text += section(report.edges[i], pictures.of_edges[i], id_of_chapter(i));
+    return text + "</section>\n";
 }
 
 }  // namespace hvi::gen

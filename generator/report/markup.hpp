@@ -6,10 +6,18 @@
 
 namespace hvi::gen {
 
-/// A text in HTML.
+/// A text in HTML, in which numbers with an exponent show a power of ten.
 [[nodiscard]] std::string escaped(const std::string& text);
 
-/// An SVG from its first element on: what stands before belongs to a file of its own.
-[[nodiscard]] std::string inlined(const std::string& svg);
+/// A text in HTML as it is, for attributes in double quotes and for titles, which have no markup.
+[[nodiscard]] std::string attribute(const std::string& text);
+
+/// A number of three digits, with a power of ten; a dash for what is no finite number.
+[[nodiscard]] std::string number_markup(double value);
+
+/// An SVG of gnuplot from its first element on, as what stands before belongs to a file of its own.
+/// It has this title. Its ids begin with `prefix`: those of all pictures of a page must differ.
+[[nodiscard]] std::string inlined(const std::string& svg, const std::string& title,
+                                  const std::string& prefix);
 
 }  // namespace hvi::gen
