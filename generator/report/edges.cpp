@@ -17,28 +17,25 @@ std::ptrdiff_t disagreements(const EdgeChapter& chapter) {
                          [](const EdgeCheck& check) { return !check.agrees; });
 }
 
-std::string row(const EdgeCheck& check, const EdgeCheck* before) {
-    const bool is_first = before == nullptr || before->method != check.method;
-    const bool same_scene = !is_first && before->scene == check.scene;
-    std::string text = is_first ? "<tr class=\"first\">" : "<tr>";
+std::string row(const EdgeCheck& check) {
+    std::string text = check.agrees ? "<tr>" : "<tr class=\"wrong\">";
     for (const std::string& cell :
-         {is_first ? check.method : "", same_scene ? "" : check.scene, check.what, check.expected,
-          check.seen, std::string(check.agrees ? "yes" : "NO")})
+         {check.what, check.expected, check.seen, std::string(check.agrees ? "yes" : "NO")})
         text += "<td>" + escaped(cell) + "</td>";
     return text + "</tr>\n";
 }
 
 std::string table(const EdgeChapter& chapter) {
-    std::string text = "<div class=\"scroll\"><table class=\"words\">\n<thead><tr>";
-    for (const char* head : {"method", "scene", "case", "expected", "seen", "agrees"})
-        text += fmt::format("<th>{}</th>", head);
-    text += "</tr></thead>\n<tbody>\n";
+    const std::vector<std::string> heads{"case", "expected", "seen", "agrees"};
+    std::string text = table_of("words", "Cases: " + chapter.title, heads);
     const EdgeCheck* before = nullptr;
     for (const EdgeCheck& check : chapter.checks) {
-        text += row(check, before);
+        if (before == nullptr || before->method != check.method || before->scene != check.scene)
+            text += group_row(check.method + " on " + check.scene, heads.size());
+        text += row(check);
         before = &check;
     }
-    return text + "</tbody></table></div>\n";
+    return text + end_of_table;
 }
 
 std::string section(const EdgeChapter& chapter, const std::vector<Picture>& pictures,

@@ -17,7 +17,7 @@ namespace {
 
 /// With the tolerance that has led to it.
 std::string step_size(const WorkPoint& point) {
-    const std::string h = fmt::format("{:.5g}", point.h);
+    const std::string h = fmt::format("{:.4g}", point.h);
     return escaped(point.tolerance > 0 ? fmt::format("{} ({:.0e})", h, point.tolerance) : h);
 }
 
@@ -28,18 +28,10 @@ std::string spread(const WorkPoint& point) {
 
 /// The columns of runs. Where all runs end well there is none that says so.
 std::vector<std::string> heads_of_runs(bool has_status) {
-    std::vector<std::string> heads{"h",      "error",       "energy error", "ms",
-                                   "spread", "evaluations", "iterations"};
+    std::vector<std::string> heads{
+        "h", "error", "energy error", "ms", "spread", "evalua&shy;tions", "itera&shy;tions"};
     if (has_status) heads.push_back("status");
     return heads;
-}
-
-/// A row for a method, above those of its runs.
-std::string head_row(const WorkCurve& curve, std::size_t columns) {
-    return fmt::format(
-        "<tr class=\"first\"><th colspan=\"{}\" scope=\"rowgroup\">{}, {}</th></tr>\n", columns,
-        escaped(curve.name),
-        curve.order > 0 ? fmt::format("order {}", curve.order) : "of an order that varies");
 }
 
 std::string row(const WorkPoint& point, bool has_status) {
@@ -57,18 +49,6 @@ std::string row(const WorkPoint& point, bool has_status) {
     return text + "</tr>\n";
 }
 
-/// A table from its first row on.
-std::string table_of(const std::string& kind, const std::string& caption,
-                     const std::vector<std::string>& heads) {
-    std::string text = fmt::format("<div class=\"scroll\"><table class=\"{}\">\n<caption>{}"
-                                   "</caption>\n<thead><tr>",
-                                   kind, escaped(caption));
-    for (const std::string& head : heads) text += "<th>" + head + "</th>";
-    return text + "</tr></thead>\n<tbody>\n";
-}
-
-constexpr const char* end_of_table = "</tbody></table></div>\n";
-
 std::string table_of_runs(const SceneReport& scene) {
     const bool has_status =
         std::any_of(scene.curves.begin(), scene.curves.end(), [](const WorkCurve& curve) {
@@ -79,7 +59,10 @@ std::string table_of_runs(const SceneReport& scene) {
     std::string text = table_of("numbers", "All runs of " + scene.name, heads);
     for (const WorkCurve& curve : scene.curves) {
         if (curve.points.empty()) continue;
-        text += head_row(curve, heads.size());
+        text += group_row(fmt::format("{}, {}", curve.name,
+                                      curve.order > 0 ? fmt::format("order {}", curve.order)
+                                                      : "of an order that varies"),
+                          heads.size());
         for (const WorkPoint& point : curve.points) text += row(point, has_status);
     }
     return text + end_of_table;
@@ -110,20 +93,19 @@ std::string table_of_peers(const SceneReport& scene) {
 
 /// What is said of methods and conserved quantities, and what was seen of it.
 std::string table_of_kept(const SceneReport& scene) {
+    const std::vector<std::string> heads{"conserved", "by each step", "why", "largest departure"};
     std::string rows;
-    for (const WorkCurve& curve : scene.curves)
+    for (const WorkCurve& curve : scene.curves) {
+        if (curve.kept.empty()) continue;
+        rows += group_row(curve.name, heads.size());
         for (const KeptQuantity& kept : curve.kept)
             rows +=
-                fmt::format("{}<td>{}</td><td title=\"{}\">{}</td><td>{}</td><td>{}</td>"
-                            "<td>{}</td></tr>\n",
-                            &kept == &curve.kept.front() ? "<tr class=\"first\">" : "<tr>",
-                            &kept == &curve.kept.front() ? escaped(curve.name) : "",
+                fmt::format("<tr><td title=\"{}\">{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
                             attribute(kept.expression), escaped(kept.name), escaped(kept.verdict),
                             escaped(kept.reason), number_markup(kept.largest));
+    }
     if (rows.empty()) return "";
-    return table_of("words", "What methods keep on " + scene.name,
-                    {"method", "conserved", "by each step", "why", "largest departure"}) +
-           rows + end_of_table;
+    return table_of("words", "What methods keep on " + scene.name, heads) + rows + end_of_table;
 }
 
 std::string reference(const SceneReport& scene) {

@@ -13,8 +13,8 @@ namespace {
 
 std::string power_markup(const PowerOfTen& number) {
     if (number.exponent == 0) return number.factor.empty() ? "1" : number.factor;
-    return fmt::format("{}10<sup>{}</sup>", number.factor.empty() ? "" : number.factor + "&times;",
-                       number.exponent);
+    return fmt::format("<span class=\"power\">{}10<sup>{}</sup></span>",
+                       number.factor.empty() ? "" : number.factor + "&times;", number.exponent);
 }
 
 /// A tag in which `prefix` stands before each id, and before each that is referred to.
@@ -48,6 +48,20 @@ std::string escaped(const std::string& text) { return with_powers(text, attribut
 
 std::string number_markup(double value) {
     return std::isfinite(value) ? escaped(fmt::format("{:.2e}", value)) : "-";
+}
+
+std::string table_of(const std::string& kind, const std::string& caption,
+                     const std::vector<std::string>& heads) {
+    std::string text = fmt::format("<div class=\"scroll\"><table class=\"{}\">\n<caption>{}"
+                                   "</caption>\n<thead><tr>",
+                                   kind, escaped(caption));
+    for (const std::string& head : heads) text += "<th>" + head + "</th>";
+    return text + "</tr></thead>\n<tbody>\n";
+}
+
+std::string group_row(const std::string& text, std::size_t columns) {
+    return fmt::format("<tr class=\"first\"><th colspan=\"{}\" scope=\"rowgroup\">{}</th></tr>\n",
+                       columns, escaped(text));
 }
 
 std::string inlined(const std::string& svg, const std::string& title, const std::string& prefix) {

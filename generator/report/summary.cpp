@@ -109,6 +109,11 @@ std::string sentence_on_edges(const Report& report) {
                        wrong, all);
 }
 
+/// `4.9`, `31`: a number of two digits or more.
+std::string ratio(double value) {
+    return value < 9.95 ? fmt::format("{:.1f}", value) : fmt::format("{:.0f}", value);
+}
+
 /// `gauss:4, 0.19 ms`, and on a line of its own how much longer the next one takes.
 std::string cell(const SceneReport& scene, double accuracy) {
     const std::vector<Quickest> all = in_order_of_time(scene, accuracy);
@@ -121,20 +126,19 @@ std::string cell(const SceneReport& scene, double accuracy) {
     std::string text =
         fmt::format("<td><b>{}</b> {:.3g}&nbsp;ms", escaped(own->method), 1e3 * own->seconds);
     if (other != all.end())
-        text += fmt::format("<br><small>{}: {:.2g} times as long</small>", escaped(other->method),
-                            other->seconds / own->seconds);
+        text += fmt::format("<br><small>{}: {} times as long</small>", escaped(other->method),
+                            ratio(other->seconds / own->seconds));
     return text + "</td>";
 }
 
 std::string table_of_fastest(const Report& report) {
     if (report.scenes.empty()) return "";
-    std::string text = "<div class=\"scroll\"><table class=\"words\">\n<caption>The fastest method "
-                       "of each scene, and the next one</caption>\n<thead><tr><th>scene</th>";
     const auto times = times_to_accuracies(report.scenes.front());
+    std::vector<std::string> heads{"scene"};
     for (const TimeToAccuracy& time : times)
-        text +=
-            fmt::format("<th>error at most {}</th>", escaped(fmt::format("{:.0e}", time.accuracy)));
-    text += "</tr></thead>\n<tbody>\n";
+        heads.push_back(escaped(fmt::format("error at most {:.0e}", time.accuracy)));
+    std::string text =
+        table_of("words", "The fastest method of each scene, and the next one", heads);
     for (std::size_t i = 0; i < report.scenes.size(); ++i) {
         const SceneReport& scene = report.scenes[i];
         text += fmt::format("<tr class=\"first\"><th><a href=\"#{}\">{}</a></th>", id_of_scene(i),
@@ -142,7 +146,7 @@ std::string table_of_fastest(const Report& report) {
         for (const TimeToAccuracy& time : times) text += cell(scene, time.accuracy);
         text += "</tr>\n";
     }
-    return text + "</tbody></table></div>\n";
+    return text + end_of_table;
 }
 
 std::string link(const std::string& id, const std::string& text) {
