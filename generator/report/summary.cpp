@@ -103,8 +103,8 @@ std::string sentence_on_edges(const Report& report) {
         }
     if (all == 0) return "";
     if (wrong == 0)
-        return fmt::format("<p>All of {} cases at the edges are as expected.</p>\n", all);
-    return fmt::format("<p class=\"incomplete\">{} of {} cases at the edges are not as expected."
+        return fmt::format("<p>At the edges, all of {} cases are as expected.</p>\n", all);
+    return fmt::format("<p class=\"incomplete\">At the edges, {} of {} cases are not as expected."
                        "</p>\n",
                        wrong, all);
 }
