@@ -233,16 +233,17 @@ bool is_file(ReportItem item) {
     return item == html || item == json || item == csv || item == svg;
 }
 
-/// What is named; all files where none is, and the usual parts where none is.
+/// Names of --only; all files where it has none, and where it has no part, work on scenes, and with
+/// --edges all that is at the edges.
 std::set<ReportItem> items_of_report(const Words& words) {
     using enum ReportItem;
     const std::set<ReportItem> named = words.choices<ReportItem>("--only");
     std::set<ReportItem> items = named;
     if (std::none_of(named.begin(), named.end(), is_file)) items.insert({html, json, csv, svg});
     if (!std::all_of(named.begin(), named.end(), is_file)) return items;
-    items.insert({rejections, symplecticity});
     if (words.has("SCENE") || !words.has("--edges")) items.insert(work);
-    if (words.has("--edges")) items.insert({stiff, extreme, long_runs, time});
+    if (words.has("--edges"))
+        items.insert({rejections, symplecticity, stiff, extreme, long_runs, time});
     return items;
 }
 

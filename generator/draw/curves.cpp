@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 #include "generator/draw/gnuplot.hpp"
@@ -11,7 +12,10 @@ namespace hvi::gen {
 
 namespace {
 
-constexpr int page_width = 720, page_height = 600;
+constexpr int page_width = 480, panel_height = 370, row_height = 20;
+constexpr std::size_t longest_title = 46;   ///< characters, which fit beside each other
+constexpr std::size_t longest_of_two = 18;  ///< of names of curves in two columns
+constexpr const char* ring = "pointtype 6 pointsize 1.5 linecolor rgb '#202020' linewidth 1";
 
 struct Style {
     const char* colour;
@@ -42,46 +46,88 @@ const Style& style(const CurvesPicture::Curve& curve, std::size_t k) {
 }
 
 /// NOTE: gnuplot reads data of its own script only from its standard input or as blocks, which need
-/// line ends; so each curve is an array.
-std::string array(const std::string& name, const std::vector<double>& values) {
-    std::string text = fmt::format("array {}[{}] = [", name, values.size());
-    for (std::size_t i = 0; i < values.size(); ++i)
-        text += fmt::format("{}{:.6g}", i == 0 ? "" : ",", values[i]);
-    return text + "]\n";
+/// line ends; so each curve is two arrays.
+std::string arrays(const std::string& name, const std::vector<std::pair<double, double>>& points) {
+    std::string xs, ys;
+    for (const auto& [x, y] : points) {
+        xs += fmt::format("{}{:.6g}", xs.empty() ? "" : ",", x);
+        ys += fmt::format("{}{:.6g}", ys.empty() ? "" : ",", y);
+    }
+    return fmt::format("array x{0}[{1}] = [{2}]\narray y{0}[{1}] = [{3}]\n", name, points.size(),
+                       xs, ys);
+}
+
+std::string values_of(const std::string& name) {
+    return fmt::format("x{0} using (x{0}[$1]):(y{0}[$1])", name);
+}
+
+/// In two lines where it is long: the first ends with a comma or colon, or else with a word.
+std::string title_label(const std::string& title) {
+    if (title.size() <= longest_title) return gnuplot_label(title);
+    std::size_t end = title.find_last_of(",:", longest_title);
+    if (end == std::string::npos) end = title.find_last_of(' ', longest_title);
+    if (end == std::string::npos) return gnuplot_label(title);
+    const std::size_t next = title.find_first_not_of(' ', end + 1);
+    if (next == std::string::npos) return gnuplot_label(title);
+    return gnuplot_label(title.substr(0, end + 1)) + ".\"\\n\"." +
+           gnuplot_label(title.substr(next));
+}
+
+/// The names below the curves: how many columns they take, and how many rows.
+struct Legend {
+    std::size_t columns = 2, rows = 0;
+};
+
+Legend legend_of(const std::vector<std::string>& names) {
+    std::size_t longest = 0;
+    for (const std::string& name : names) longest = std::max(longest, name.size());
+    const std::size_t columns = longest > longest_of_two ? 1 : 2;
+    return {columns, (names.size() + columns - 1) / columns};
+}
+
+std::string axes(const CurvesPicture& picture, const Legend& legend) {
+    return fmt::format("set title {}\nset xlabel {} offset 0,0.4\nset ylabel {} offset 0.5,0\n",
+                       title_label(picture.title), gnuplot_label(picture.x),
+                       gnuplot_label(picture.y)) +
+           (picture.x_is_logarithmic ? "set logscale xy\nset format xy '10^{%L}'\n"
+                                     : "set logscale y\nset format y '10^{%L}'\n") +
+           fmt::format("set grid linecolor rgb '#d8d8d8'\nset border linecolor rgb '#505050'\n"
+                       "set key below maxcols {} height 1 Left reverse samplen 3\n",
+                       legend.columns);
 }
 
 }  // namespace
 
 std::string draw(const CurvesPicture& picture) {
-    std::string script =
-        fmt::format("set title {}\nset xlabel {}\nset ylabel {}\n", gnuplot_label(picture.title),
-                    gnuplot_label(picture.x), gnuplot_label(picture.y));
-    script += picture.x_is_logarithmic ? "set logscale xy\nset format xy '10^{%L}'\n"
-                                       : "set logscale y\nset format y '10^{%L}'\n";
-    script += "set grid linecolor rgb '#d8d8d8'\nset border linecolor rgb '#505050'\n"
-              "set key below maxcols 2 Left reverse samplen 3\n";
-    std::string plots;
+    std::string data, plots;
+    std::vector<std::string> names;
+    std::vector<std::pair<double, double>> ringed;
     std::size_t aside = 0, drawn = 0;
     for (std::size_t k = 0; k < picture.curves.size(); ++k) {
         const CurvesPicture::Curve& curve = picture.curves[k];
         const Style& look = style(curve, curve.is_aside ? aside++ : drawn++);
         if (curve.points.empty()) continue;
-        std::vector<double> xs, ys;
-        for (const auto& [x, y] : curve.points) {
-            xs.push_back(x);
-            ys.push_back(y);
-        }
-        script += array(fmt::format("x{}", k), xs) + array(fmt::format("y{}", k), ys);
+        ringed.insert(ringed.end(), curve.ringed.begin(), curve.ringed.end());
+        names.push_back(curve.name);
+        data += arrays(std::to_string(k), curve.points);
         const std::string marks =
             picture.has_marks ? fmt::format("linespoints pointtype {} pointsize 0.7", look.mark)
                               : std::string("lines");
-        plots += fmt::format("{} x{} using (x{}[$1]):(y{}[$1]) with {} linecolor rgb '{}' "
-                             "dashtype {} linewidth {} title {}",
-                             plots.empty() ? "" : ",", k, k, k, marks, look.colour, look.dashes,
-                             curve.is_aside ? 0.8 : 1.5, gnuplot_label(curve.name));
+        plots +=
+            fmt::format("{} {} with {} linecolor rgb '{}' dashtype {} linewidth {} title {}",
+                        plots.empty() ? "" : ",", values_of(std::to_string(k)), marks, look.colour,
+                        look.dashes, curve.is_aside ? 0.8 : 1.5, gnuplot_label(curve.name));
+    }
+    if (!ringed.empty()) {
+        names.push_back(picture.about_rings);
+        data += arrays("_ringed", ringed);
+        plots += fmt::format(", {} with points {} title {}", values_of("_ringed"), ring,
+                             gnuplot_label(picture.about_rings));
     }
     if (plots.empty()) plots = " [1:10][1e-16:1] 1/0 notitle";
-    return gnuplot_svg(script + "plot" + plots + "\n", page_width, page_height, ".");
+    const Legend legend = legend_of(names);
+    return gnuplot_svg(axes(picture, legend) + data + "plot" + plots + "\n", page_width,
+                       panel_height + row_height * static_cast<int>(legend.rows), ".");
 }
 
 }  // namespace hvi::gen

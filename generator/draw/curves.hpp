@@ -13,6 +13,7 @@ struct CurvesPicture {
         std::string name;
         std::vector<std::pair<double, double>> points;  ///< finite, above 0 on a logarithmic axis
         bool is_aside = false;  ///< thin and grey: others are compared with it
+        std::vector<std::pair<double, double>> ringed = {};  ///< points with a ring around
     };
 
     std::string title;
@@ -20,9 +21,12 @@ struct CurvesPicture {
     bool x_is_logarithmic = true;
     bool has_marks = true;  ///< at each point, else a line alone
     std::vector<Curve> curves;
+    std::string about_rings = {};  ///< a name for the points that have one
 };
 
-/// As SVG; curves are told apart by colour, dashes and marks. Throws as gnuplot_svg() does.
+/// Draws SVG of a width that a narrow screen shows without making its text small, and a height that
+/// leaves room for the names of all curves below. Curves are told apart by colour, dashes and
+/// marks. Throws as gnuplot_svg() does.
 [[nodiscard]] std::string draw(const CurvesPicture& picture);
 
 }  // namespace hvi::gen

@@ -7,6 +7,7 @@
 
 #include "generator/support/child.hpp"
 #include "generator/support/error.hpp"
+#include "generator/support/powers.hpp"
 #include "generator/support/progress.hpp"
 
 namespace hvi::gen {
@@ -23,13 +24,29 @@ std::string on_one_line(const std::string& script) {
     return line;
 }
 
+/// A text in which nothing is markup.
+std::string without_markup(const std::string& text) {
+    std::string plain;
+    for (const char c : text) {
+        if (std::string_view("_^{}@&~\\").find(c) != std::string_view::npos) plain += '\\';
+        plain += c;
+    }
+    return plain;
+}
+
+std::string power(const PowerOfTen& number) {
+    return fmt::format("{}10^{{{}}}", number.factor.empty() ? "" : number.factor + "\u00d7",
+                       number.exponent);
+}
+
 }  // namespace
 
 std::string gnuplot_svg(const std::string& script, int width, int height,
                         const std::filesystem::path& directory) {
     const Progress::Stage stage("drawing");
     const std::string terminal =
-        fmt::format("set terminal svg size {},{} dynamic font 'sans-serif,14' background 'white'\n",
+        fmt::format("set terminal svg size {},{} dynamic font 'sans-serif,14' background 'white'\n"
+                    "set encoding utf8\n",
                     width, height);
     ChildResult drawn;
     try {
@@ -52,12 +69,7 @@ std::string gnuplot_quoted(const std::string& text) {
 }
 
 std::string gnuplot_label(const std::string& text) {
-    std::string plain;
-    for (const char c : text) {
-        if (std::string_view("_^{}@&~\\").find(c) != std::string_view::npos) plain += '\\';
-        plain += c;
-    }
-    return gnuplot_quoted(plain);
+    return gnuplot_quoted(with_powers(text, without_markup, power));
 }
 
 }  // namespace hvi::gen

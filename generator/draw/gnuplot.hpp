@@ -17,7 +17,8 @@ namespace hvi::gen {
 /// A text in single quotes, as scripts have it, in which nothing but a quote means something else.
 [[nodiscard]] std::string gnuplot_quoted(const std::string& text);
 
-/// The same for a text that is shown, in which _ ^ { } @ & ~ \ would be markup.
+/// A text in single quotes that is shown as it is, with _ ^ { } @ & ~ \ which would be markup, but
+/// for numbers with an exponent, which show a power of ten.
 [[nodiscard]] std::string gnuplot_label(const std::string& text);
 
 }  // namespace hvi::gen

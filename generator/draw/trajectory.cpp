@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 
+#include "generator/draw/density.hpp"
 #include "generator/draw/gnuplot.hpp"
 #include "generator/support/ticks.hpp"
 
@@ -14,8 +15,10 @@ namespace hvi::gen {
 
 namespace {
 
-constexpr int picture_width = 1000, picture_height = 560;
-constexpr double top = 0.95;  // of the panels, below the title of all
+constexpr int picture_width = 1000, picture_height = 560, tall_picture_height = 680;
+constexpr double top = 0.95;            // of the panels, below the title of all
+constexpr std::size_t most_turns = 40;  // of a curve over time, some 400 pixels wide
+constexpr double least_swing = 0.05;    // that is seen to be one, of the height of a panel
 
 // Told apart by colour and, in print, by the length of their dashes.
 constexpr const char* line_styles = R"(
@@ -37,28 +40,48 @@ set format cb '%g'
 constexpr std::size_t style_count = 5;
 constexpr std::size_t time_column = 1;
 
-/// A column over another, less a constant.
+/// A column over another, less a constant, in units of `unit`.
 struct Line {
     std::size_t x, y;
     double less = 0;
     std::string name;
+    double unit = 1;
 };
+
+/// The first rows of a table, and the time of the last of these.
+struct FirstRows {
+    std::size_t count = 0;
+    double until = 0;
+    bool are_all = true;
+};
+
+/// Precondition: the columns are those of a table, the first one the time.
+FirstRows first_rows(const std::vector<double>& times, std::size_t count) {
+    if (count >= times.size()) return {times.size(), times.empty() ? 0 : times.back(), true};
+    return {count, times[count - 1], false};
+}
+
+std::string with_end(const std::string& title, const FirstRows& rows) {
+    return rows.are_all ? title : fmt::format("{}, until t = {:.4g}", title, rows.until);
+}
 
 std::string quoted_name(const std::filesystem::path& table) {
     return gnuplot_quoted(table.filename().string());
 }
 
 /// NOTE: what is no finite number is not drawn.
-std::string plot(const std::filesystem::path& table, const std::vector<Line>& lines) {
+std::string plot(const std::filesystem::path& table, const std::vector<Line>& lines,
+                 const FirstRows& rows = {}) {
+    const std::string first = rows.are_all ? "" : fmt::format(" every ::0::{}", rows.count - 1);
     std::string text = lines.size() == 1
                            ? "set key off\nplot"
                            : "set key outside right center samplen 2 font ',11'\nplot";
     for (std::size_t i = 0; i < lines.size(); ++i) {
         const Line& line = lines[i];
-        text += fmt::format("{} {} skip 1 using (column({})):(column({})-({:.17g})) with lines "
-                            "linestyle {} title {}",
-                            i == 0 ? "" : ",", quoted_name(table), line.x, line.y, line.less,
-                            i % style_count + 1, gnuplot_label(line.name));
+        text += fmt::format("{} {} skip 1{} using (column({})):((column({})-({:.17g}))/{:g}) with "
+                            "lines linestyle {} title {}",
+                            i == 0 ? "" : ",", quoted_name(table), first, line.x, line.y, line.less,
+                            line.unit, i % style_count + 1, gnuplot_label(line.name));
     }
     return text + "\n";
 }
@@ -73,19 +96,45 @@ std::string panel(const Panel& panel, const std::string& title) {
                        panel.y, panel.width, panel.height, gnuplot_label(title));
 }
 
-/// What is kept, less what it was at the start.
-std::vector<Line> departures(const TrajectoryPicture& picture, std::size_t begin, std::size_t end) {
-    std::vector<Line> lines;
-    for (std::size_t i = begin; i < end; ++i) {
-        const TrajectoryPicture::Kept& kept = picture.kept[i];
-        lines.push_back({time_column, kept.column.number, kept.start, kept.column.name});
-    }
-    return lines;
+/// The power of ten that numbers up to `largest` are shown in: 1 where they need none.
+int power_for(double largest) {
+    constexpr int least = -3, most = 4;
+    if (!(largest > 0) || !std::isfinite(largest)) return 0;
+    const int power = static_cast<int>(std::floor(std::log10(largest)));
+    return power < least || power >= most ? power : 0;
 }
 
-std::string title_of(const std::vector<Line>& lines) {
-    return lines.size() == 1 ? lines.front().name + ", less that at the start"
-                             : "invariants, less those at the start";
+/// Curves in one panel, in units of one power of ten.
+struct Panelled {
+    std::vector<Line> lines;
+    int power = 0;
+};
+
+/// Departures of what is kept from what it was at the start.
+Panelled departures(const TrajectoryPicture& picture, std::size_t begin, std::size_t end) {
+    std::vector<std::size_t> numbers;
+    for (std::size_t i = begin; i < end; ++i) numbers.push_back(picture.kept[i].column.number);
+    const auto columns = read_columns(picture.table, numbers);
+    double largest = 0;
+    for (std::size_t i = begin; i < end; ++i)
+        for (const double value : columns[i - begin])
+            if (std::isfinite(value))
+                largest = std::max(largest, std::abs(value - picture.kept[i].start));
+    Panelled result{{}, power_for(largest)};
+    // NOTE: a power that no double has would be a division by zero.
+    result.power = std::max(result.power, -300);
+    for (std::size_t i = begin; i < end; ++i) {
+        const TrajectoryPicture::Kept& kept = picture.kept[i];
+        result.lines.push_back({time_column, kept.column.number, kept.start, kept.column.name,
+                                std::pow(10, result.power)});
+    }
+    return result;
+}
+
+std::string title_of(const Panelled& panelled) {
+    return (panelled.lines.size() == 1 ? panelled.lines.front().name + ", less that at the start"
+                                       : "invariants, less those at the start") +
+           (panelled.power == 0 ? "" : fmt::format(", in 1e{}", panelled.power));
 }
 
 /// NOTE: gnuplot's own numbers would overlap where they are large.
@@ -95,36 +144,77 @@ std::string ticks_until(double end) {
     return length < shortest ? "autofreq" : fmt::format("{:.1g}", distance_of_ticks(length, most));
 }
 
-std::string over_time(const TrajectoryPicture& picture, double width) {
-    std::string script = fmt::format("set autoscale xfix\nset xlabel 't' offset 0,0.6\n"
-                                     "set xtics {}\n",
-                                     ticks_until(picture.until));
-    if (picture.kept.empty()) {
-        std::vector<Line> lines;
-        for (const TableColumn& column : picture.columns)
-            lines.push_back({time_column, column.number, 0, column.name});
-        return script + panel({0, 0, width, top}, picture.title_of_columns) +
-               plot(picture.table, lines);
+std::string time_axis(double until) {
+    return fmt::format("set autoscale xfix\nset xlabel 't' offset 0,0.6\nunset ylabel\n"
+                       "set xtics {}\n",
+                       ticks_until(until));
+}
+
+/// The columns over time: the beginning of the run, where more would be a bar.
+std::string columns_over_time(const TrajectoryPicture& picture, const Panel& place) {
+    std::vector<std::size_t> numbers;
+    std::vector<Line> lines;
+    for (const TableColumn& column : picture.columns) {
+        numbers.push_back(column.number);
+        lines.push_back({time_column, column.number, 0, column.name});
     }
-    script += "set format y '%.1e'\nset ytics nomirror autofreq\n";
+    const auto times = read_columns(picture.table, {time_column}).front();
+    const auto columns = read_columns(picture.table, numbers);
+    std::size_t count = times.size();
+    for (const std::vector<double>& column : columns)
+        count = std::min(count, rows_with_turns(column, least_swing * extent(columns), most_turns));
+    const FirstRows rows = first_rows(times, count);
+    const std::string what =
+        lines.size() == 1 ? lines.front().name + " over t" : picture.title_of_columns + " over t";
+    return time_axis(rows.until) + "set format y '%g'\nset ytics autofreq\n" +
+           panel(place, with_end(what, rows)) + plot(picture.table, lines, rows);
+}
+
+/// NOTE: of steps in scaled time the table alone knows where they end.
+double last_time(const TrajectoryPicture& picture) {
+    const auto times = read_columns(picture.table, {time_column}).front();
+    return times.empty() ? 0 : times.back();
+}
+
+std::string over_time(const TrajectoryPicture& picture, double width) {
+    if (picture.kept.empty()) return columns_over_time(picture, {0, 0, width, top});
+    std::string script =
+        time_axis(last_time(picture)) + "set format y '%g'\nset ytics nomirror autofreq\n";
     const bool has_more = picture.kept.size() > 1;
     const auto first = departures(picture, 0, 1);
     script += panel({0, has_more ? top / 2 : 0, width, has_more ? top / 2 : top}, title_of(first)) +
-              plot(picture.table, first);
+              plot(picture.table, first.lines);
     if (!has_more) return script;
     const auto others = departures(picture, 1, picture.kept.size());
-    return script + panel({0, 0, width, top / 2}, title_of(others)) + plot(picture.table, others);
+    return script + panel({0, 0, width, top / 2}, title_of(others)) +
+           plot(picture.table, others.lines);
 }
 
 /// A part of the picture beside what is kept, and what comes before all parts.
 struct Beside {
     double width = 0;
     std::string before, script;
+    int height = picture_height;  ///< of the whole picture
 };
 
-Beside beside(const TrajectoryPicture&, const TableCurves& view) {
+FirstRows rows_of(const TableCurves& view) {
+    std::vector<std::size_t> numbers{time_column};
+    for (const auto& [x, y] : view.curves) {
+        numbers.push_back(x.number);
+        numbers.push_back(y.number);
+    }
+    auto columns = read_columns(view.table, numbers);
+    std::vector<PlaneCurve> curves;
+    for (std::size_t i = 1; i < columns.size(); i += 2)
+        curves.emplace_back(std::move(columns[i]), std::move(columns[i + 1]));
+    return first_rows(columns.front(), rows_with_room(curves));
+}
+
+/// The curves, and below them the columns over time, unless these are where else is what is kept.
+Beside beside(const TrajectoryPicture& picture, const TableCurves& view) {
     if (view.curves.empty()) return {};
-    constexpr double width = 0.45;
+    constexpr double width = 0.45, below = 0.4;
+    const bool has_below = !picture.kept.empty() && !picture.columns.empty();
     std::vector<Line> lines;
     for (const auto& [x, y] : view.curves)
         lines.push_back({x.number, y.number, 0, y.name + " over " + x.name});
@@ -133,9 +223,14 @@ Beside beside(const TrajectoryPicture&, const TableCurves& view) {
         fmt::format("set autoscale x\nset format y '%g'\nset xtics autofreq\nset xlabel {} offset "
                     "0,0.6\nset ylabel {}\n",
                     gnuplot_label(x.name), gnuplot_label(y.name));
+    const FirstRows rows = rows_of(view);
+    const double bottom = has_below ? below * top : 0;
+    const std::string title = with_end(y.name + " over " + x.name, rows);
     return {width, "",
-            axes + panel({1 - width, 0, width, top}, y.name + " over " + x.name) +
-                plot(view.table, lines)};
+            axes + panel({1 - width, bottom, width, top - bottom}, title) +
+                plot(view.table, lines, rows) +
+                (has_below ? columns_over_time(picture, {1 - width, 0, width, bottom}) : ""),
+            has_below ? tall_picture_height : picture_height};
 }
 
 /// Of a panel with an image.
@@ -197,7 +292,7 @@ std::string draw(const TrajectoryPicture& picture) {
         fmt::format("set multiplot title {}\n", gnuplot_label(picture.title)) +
         over_time(picture, 1 - part.width) + part.script + "unset multiplot\n";
     // NOTE: in its directory, whose name may have in it what no script can quote.
-    return gnuplot_svg(script, picture_width, picture_height,
+    return gnuplot_svg(script, picture_width, part.height,
                        picture.table.has_parent_path() ? picture.table.parent_path() : ".");
 }
 

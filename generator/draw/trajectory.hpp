@@ -65,7 +65,7 @@ struct TrajectoryPicture {
     /// A row of names, and rows of numbers, the first one the time. Other tables are beside it.
     std::filesystem::path table;
     std::vector<Kept> kept;
-    std::vector<TableColumn> columns;  ///< shown over time where nothing is kept
+    std::vector<TableColumn> columns;  ///< shown over time, where the view is no image
     std::string title_of_columns = "positions";
     View view;
 };

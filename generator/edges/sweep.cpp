@@ -63,7 +63,8 @@ std::vector<CurvesPicture> Sweeps::pictures() const {
     for (const Curves& curves : forms_)
         for (const auto& [y, drawn] : {std::pair("growth", &curves.growth),
                                        std::pair("iterations a step", &curves.iterations)})
-            all.push_back({title_ + ", " + curves.form, "h omega", y, true, true, *drawn});
+            all.push_back(
+                {title_ + ", " + curves.form + ": " + y, "h omega", y, true, true, *drawn});
     return all;
 }
 

@@ -6,7 +6,7 @@
 
 #include "generator/emit/text/embedded.hpp"
 #include "generator/report/markup.hpp"
-#include "generator/report/render.hpp"
+#include "generator/report/sections.hpp"
 
 namespace hvi::gen {
 
@@ -17,61 +17,45 @@ std::ptrdiff_t disagreements(const EdgeChapter& chapter) {
                          [](const EdgeCheck& check) { return !check.agrees; });
 }
 
-std::string row(const EdgeCheck& check, const EdgeCheck* before) {
-    const bool is_first = before == nullptr || before->method != check.method;
-    const bool same_scene = !is_first && before->scene == check.scene;
-    std::string text = is_first ? "<tr class=\"first\">" : "<tr>";
+std::string row(const EdgeCheck& check) {
+    std::string text = check.agrees ? "<tr>" : "<tr class=\"wrong\">";
     for (const std::string& cell :
-         {is_first ? check.method : "", same_scene ? "" : check.scene, check.what, check.expected,
-          check.seen, std::string(check.agrees ? "yes" : "NO")})
+         {check.what, check.expected, check.seen, std::string(check.agrees ? "yes" : "NO")})
         text += "<td>" + escaped(cell) + "</td>";
     return text + "</tr>\n";
 }
 
 std::string table(const EdgeChapter& chapter) {
-    std::string text = "<div class=\"scroll words\"><table>\n<tr>";
-    for (const char* head : {"method", "scene", "case", "expected", "seen", "agrees"})
-        text += fmt::format("<th>{}</th>", head);
-    text += "</tr>\n";
+    const std::vector<std::string> heads{"case", "expected", "seen", "agrees"};
+    std::string text = table_of("words", "Cases: " + chapter.title, heads);
     const EdgeCheck* before = nullptr;
     for (const EdgeCheck& check : chapter.checks) {
-        text += row(check, before);
+        if (before == nullptr || before->method != check.method || before->scene != check.scene)
+            text += group_row(check.method + " on " + check.scene, heads.size());
+        text += row(check);
         before = &check;
     }
-    return text + "</table></div>\n";
+    return text + end_of_table;
 }
 
-std::string section(const EdgeChapter& chapter, const std::vector<Picture>& pictures) {
+std::string section(const EdgeChapter& chapter, const std::vector<Picture>& pictures,
+                    const std::string& id) {
     const std::ptrdiff_t wrong = disagreements(chapter);
     std::string text =
-        fmt::format("<h3>{}</h3>\n<p>{}</p>\n<p>{} cases, {}.</p>\n", escaped(chapter.title),
-                    escaped(chapter.about), chapter.checks.size(),
+        fmt::format("<h3 id=\"{}\">{}</h3>\n<p>{}</p>\n<p>{} cases, {}.</p>\n", id,
+                    escaped(chapter.title), escaped(chapter.about), chapter.checks.size(),
                     wrong == 0 ? "all as expected" : fmt::format("{} NOT as expected", wrong));
-    for (const Picture& picture : pictures) text += inlined(picture.svg) + "\n";
-    return text + table(chapter);
-}
-
-std::string verdict(const Report& report) {
-    std::ptrdiff_t wrong = 0;
-    std::size_t all = 0;
-    for (const EdgeChapter& chapter : report.edges) {
-        wrong += disagreements(chapter);
-        all += chapter.checks.size();
-    }
-    return wrong == 0 ? fmt::format("<p>All of {} cases are as expected.</p>", all)
-                      : fmt::format("<p class=\"incomplete\">{} of {} cases are not as "
-                                    "expected.</p>",
-                                    wrong, all);
+    return text + pictures_html(pictures, id) + table(chapter);
 }
 
 }  // namespace
 
 std::string edges_html(const Report& report, const Pictures& pictures) {
     if (report.edges.empty()) return "";
-    std::string text = std::string(embedded_template("edges.html")) + verdict(report) + "\n";
+    std::string text(embedded_template("edges.html"));
     for (std::size_t i = 0; i < report.edges.size(); ++i)
-        text += section(report.edges[i], pictures.of_edges[i]);
-    return text;
+        text += section(report.edges[i], pictures.of_edges[i], id_of_chapter(i));
+    return text + "</section>\n";
 }
 
 }  // namespace hvi::gen

@@ -1,55 +1,71 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "generator/emit/text/embedded.hpp"
 #include "generator/emit/text/text.hpp"
 #include "generator/report/markup.hpp"
 #include "generator/report/render.hpp"
+#include "generator/report/sections.hpp"
 #include "generator/study/time_to_accuracy.hpp"
 
 namespace hvi::gen {
 
 namespace {
 
-std::string number(double value) {
-    return std::isfinite(value) ? fmt::format("{:.2e}", value) : "-";
-}
-
 /// With the tolerance that has led to it.
 std::string step_size(const WorkPoint& point) {
-    const std::string h = fmt::format("{:.5g}", point.h);
-    return point.tolerance > 0 ? fmt::format("{} ({:.0e})", h, point.tolerance) : h;
+    const std::string h = fmt::format("{:.4g}", point.h);
+    return escaped(point.tolerance > 0 ? fmt::format("{} ({:.0e})", h, point.tolerance) : h);
 }
 
-std::string row(const WorkCurve& curve, const WorkPoint& point, bool is_first) {
-    const std::vector<std::string> cells{
-        is_first ? escaped(curve.name) : "",
-        is_first ? (curve.order > 0 ? std::to_string(curve.order) : "varies") : "",
-        step_size(point),
-        number(point.error),
-        number(point.energy_error),
-        point.seconds > 0 ? fmt::format("{:.3g}", 1e3 * point.seconds) : "-",
-        point.seconds > 0 ? fmt::format("{:.0f} %", 100 * point.spread) : "-",
-        std::to_string(point.evaluations),
-        fmt::format("{:.2f}", point.iterations),
-        escaped(point.status)};
-    std::string text = is_first ? "<tr class=\"first\">" : "<tr>";
+std::string spread(const WorkPoint& point) {
+    if (point.seconds <= 0 || !std::isfinite(point.spread)) return "-";
+    return fmt::format("{:.0f}&nbsp;%{}", 100 * point.spread, point.is_noisy() ? " noisy" : "");
+}
+
+/// The columns of runs. Where all runs end well there is none that says so.
+std::vector<std::string> heads_of_runs(bool has_status) {
+    std::vector<std::string> heads{
+        "h", "error", "energy error", "ms", "spread", "evalua&shy;tions", "itera&shy;tions"};
+    if (has_status) heads.push_back("status");
+    return heads;
+}
+
+std::string row(const WorkPoint& point, bool has_status) {
+    std::vector<std::string> cells{step_size(point),
+                                   number_markup(point.error),
+                                   number_markup(point.energy_error),
+                                   point.seconds > 0 ? fmt::format("{:.3g}", 1e3 * point.seconds)
+                                                     : "-",
+                                   spread(point),
+                                   std::to_string(point.evaluations),
+                                   fmt::format("{:.2f}", point.iterations)};
+    if (has_status) cells.push_back(escaped(point.status));
+    std::string text = point.is_noisy() ? "<tr class=\"noisy\">" : "<tr>";
     for (const std::string& cell : cells) text += "<td>" + cell + "</td>";
     return text + "</tr>\n";
 }
 
-std::string table(const SceneReport& scene) {
-    std::string text = "<div class=\"scroll\"><table>\n<tr>";
-    for (const char* head : {"method", "order", "h", "error", "energy error", "ms", "spread",
-                             "evaluations", "iterations", "status"})
-        text += fmt::format("<th>{}</th>", head);
-    text += "</tr>\n";
-    for (const WorkCurve& curve : scene.curves)
-        for (const WorkPoint& point : curve.points)
-            text += row(curve, point, &point == &curve.points.front());
-    return text + "</table></div>\n";
+std::string table_of_runs(const SceneReport& scene) {
+    const bool has_status =
+        std::any_of(scene.curves.begin(), scene.curves.end(), [](const WorkCurve& curve) {
+            return std::any_of(curve.points.begin(), curve.points.end(),
+                               [](const WorkPoint& point) { return !point.ok(); });
+        });
+    const std::vector<std::string> heads = heads_of_runs(has_status);
+    std::string text = table_of("numbers", "All runs of " + scene.name, heads);
+    for (const WorkCurve& curve : scene.curves) {
+        if (curve.points.empty()) continue;
+        text += group_row(fmt::format("{}, {}", curve.name,
+                                      curve.order > 0 ? fmt::format("order {}", curve.order)
+                                                      : "of an order that varies"),
+                          heads.size());
+        for (const WorkPoint& point : curve.points) text += row(point, has_status);
+    }
+    return text + end_of_table;
 }
 
 std::string cells(const std::optional<Quickest>& found) {
@@ -57,41 +73,39 @@ std::string cells(const std::optional<Quickest>& found) {
     return fmt::format("<td>{}</td><td>{:.3g}</td>", escaped(found->method), 1e3 * found->seconds);
 }
 
-/// What is there first. Other libraries have columns where they were measured.
-std::string table_of_times(const SceneReport& scene) {
-    bool has_peers = false;
-    for (const WorkCurve& curve : scene.curves) has_peers = has_peers || curve.is_peer;
+/// The fastest of ours beside the fastest of other libraries; empty where none of these was
+/// measured, as the summary says the rest.
+std::string table_of_peers(const SceneReport& scene) {
+    if (std::none_of(scene.curves.begin(), scene.curves.end(),
+                     [](const WorkCurve& curve) { return curve.is_peer; }))
+        return "";
     std::string text =
-        "<div class=\"scroll\"><table>\n<tr><th>error at most</th><th>fastest</th><th>ms</th>";
-    if (has_peers) text += "<th>of other libraries</th><th>ms</th><th>times as long</th>";
-    text += "</tr>\n";
-    for (const TimeToAccuracy& time : times_to_accuracies(scene)) {
-        text += fmt::format("<tr><td>{:.0e}</td>{}", time.accuracy, cells(time.own));
-        const bool both = time.own && time.peer;
-        if (has_peers)
-            text += fmt::format("{}<td>{}</td>", cells(time.peer),
-                                both ? fmt::format("{:.2f}", time.peer->seconds / time.own->seconds)
-                                     : "-");
-        text += "</tr>\n";
-    }
-    return text + "</table></div>\n";
+        table_of("numbers", "Beside other libraries on " + scene.name,
+                 {"error at most", "fastest", "ms", "of other libraries", "ms", "times as long"});
+    for (const TimeToAccuracy& time : times_to_accuracies(scene))
+        text += fmt::format(
+            "<tr><td>{}</td>{}{}<td>{}</td></tr>\n", escaped(fmt::format("{:.0e}", time.accuracy)),
+            cells(time.own), cells(time.peer),
+            time.own && time.peer ? fmt::format("{:.2f}", time.peer->seconds / time.own->seconds)
+                                  : "-");
+    return text + end_of_table;
 }
 
 /// What is said of methods and conserved quantities, and what was seen of it.
 std::string table_of_kept(const SceneReport& scene) {
-    std::string text;
-    for (const WorkCurve& curve : scene.curves)
+    const std::vector<std::string> heads{"conserved", "by each step", "why", "largest departure"};
+    std::string rows;
+    for (const WorkCurve& curve : scene.curves) {
+        if (curve.kept.empty()) continue;
+        rows += group_row(curve.name, heads.size());
         for (const KeptQuantity& kept : curve.kept)
-            text += fmt::format("{}<td>{}</td><td title=\"{}\">{}</td><td>{}</td><td>{}</td>"
-                                "<td>{}</td></tr>\n",
-                                &kept == &curve.kept.front() ? "<tr class=\"first\">" : "<tr>",
-                                &kept == &curve.kept.front() ? escaped(curve.name) : "",
-                                escaped(kept.expression), escaped(kept.name), escaped(kept.verdict),
-                                escaped(kept.reason), number(kept.largest));
-    if (text.empty()) return "";
-    return "<div class=\"scroll\"><table>\n<tr><th>method</th><th>conserved</th><th>by each step"
-           "</th><th>why</th><th>largest departure</th></tr>\n" +
-           text + "</table></div>\n";
+            rows +=
+                fmt::format("<tr><td title=\"{}\">{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
+                            attribute(kept.expression), escaped(kept.name), escaped(kept.verdict),
+                            escaped(kept.reason), number_markup(kept.largest));
+    }
+    if (rows.empty()) return "";
+    return table_of("words", "What methods keep on " + scene.name, heads) + rows + end_of_table;
 }
 
 std::string reference(const SceneReport& scene) {
@@ -109,34 +123,46 @@ std::string text(const TimeSpent& time_spent) {
     return text;
 }
 
-std::string section(const SceneReport& scene, const std::vector<Picture>& pictures) {
+std::string section(const SceneReport& scene, const std::vector<Picture>& pictures,
+                    const std::string& id) {
     std::string text =
-        fmt::format("<h3>{}</h3>\n<p>{}{}To t = {:.10g}. Reference: {}.</p>\n", escaped(scene.name),
-                    escaped(scene.description), scene.description.empty() ? "" : ". ", scene.until,
-                    escaped(reference(scene)));
-    for (const Picture& picture : pictures) text += inlined(picture.svg) + "\n";
-    return text + table_of_kept(scene) + table_of_times(scene) + table(scene);
+        fmt::format("<h3 id=\"{}\">{}</h3>\n<p>{}{}To t = {:.10g}. Reference: {}.</p>\n", id,
+                    escaped(scene.name), escaped(scene.description),
+                    scene.description.empty() ? "" : ". ", scene.until, escaped(reference(scene)));
+    return text + pictures_html(pictures, id) + table_of_peers(scene) + table_of_kept(scene) +
+           table_of_runs(scene);
 }
 
 }  // namespace
 
+std::string pictures_html(const std::vector<Picture>& pictures, const std::string& section) {
+    if (pictures.empty()) return "";
+    std::string text = "<div class=\"pictures\">\n";
+    for (std::size_t i = 0; i < pictures.size(); ++i)
+        text += "<figure>" +
+                inlined(pictures[i].svg, pictures[i].title, fmt::format("{}-{}-", section, i + 1)) +
+                "</figure>\n";
+    return text + "</div>\n";
+}
+
 std::string report_html(const Report& report, const Pictures& pictures) {
     std::string scenes = report.scenes.empty() ? "" : std::string(embedded_template("work.html"));
     for (std::size_t i = 0; i < report.scenes.size(); ++i)
-        scenes += section(report.scenes[i], pictures.of_scenes[i]);
+        scenes += section(report.scenes[i], pictures.of_scenes[i], id_of_scene(i));
+    if (!scenes.empty()) scenes += "</section>\n";
     const std::string incomplete =
         report.incomplete.empty()
             ? ""
             : fmt::format("<p class=\"incomplete\">Incomplete: {}</p>", escaped(report.incomplete));
-    std::string notes;
-    for (const std::string& note : report.notes) notes += "<br>" + escaped(note);
     return fill("report.html.in",
                 {{"style", std::string(embedded_template("report.css"))},
+                 {"title", attribute(report_title(report))},
                  {"incomplete", incomplete},
+                 {"summary", summary_html(report)},
+                 {"contents", contents_html(report)},
                  {"machine", escaped(fmt::format("{}, {} threads, {}", report.machine.processor,
                                                  report.machine.threads, report.machine.system))},
                  {"compiler", escaped(report.compiler_version + ": " + report.compiler)},
-                 {"notes", notes},
                  {"time_spent", escaped(text(report.time_spent))},
                  {"scenes", scenes},
                  {"edges", edges_html(report, pictures)}});

@@ -13,26 +13,43 @@ namespace {
 
 using Curve = CurvesPicture::Curve;
 
+/// NOTE: an orbit that got lost is as far away as one likes, and would hide the others.
+bool is_drawn(const WorkPoint& point) { return point.ok() && point.error > 0 && point.error < 10; }
+
 /// Errors over what they cost; points without are left out.
 template <class Cost>
-CurvesPicture work(const SceneReport& scene, const std::string& axis, Cost cost) {
-    CurvesPicture picture{scene.name, axis, "error at the end", true, true, {}};
+CurvesPicture work(const SceneReport& scene, const std::string& what, const std::string& axis,
+                   Cost cost) {
+    CurvesPicture picture{scene.name + ": error against " + what,
+                          axis,
+                          "error at the end",
+                          true,
+                          true,
+                          {},
+                          "noisy run time"};
     for (const WorkCurve& curve : scene.curves) {
         Curve drawn{curve.name, {}, curve.is_peer};
-        for (const WorkPoint& point : curve.points) {
-            // NOTE: an orbit that got lost is as far away as one likes, and would hide the others.
-            const bool is_there = point.ok() && point.error > 0 && point.error < 10;
-            if (is_there && cost(point) > 0) drawn.points.emplace_back(cost(point), point.error);
-        }
+        for (const WorkPoint& point : curve.points)
+            if (is_drawn(point) && cost(point) > 0)
+                drawn.points.emplace_back(cost(point), point.error);
         picture.curves.push_back(std::move(drawn));
     }
     return picture;
 }
 
+/// Rings around run times that are noisy. Precondition: the curves are those of the scene.
+void add_rings(CurvesPicture& picture, const SceneReport& scene) {
+    for (std::size_t i = 0; i < scene.curves.size(); ++i)
+        for (const WorkPoint& point : scene.curves[i].points)
+            if (is_drawn(point) && point.is_noisy())
+                picture.curves[i].ringed.emplace_back(point.seconds, point.error);
+}
+
 /// Departures over time, of which `values` are some.
-CurvesPicture over_time(const SceneReport& scene, const std::string& axis,
+CurvesPicture over_time(const SceneReport& scene, const std::string& what,
                         std::vector<double> Departures::*values) {
-    CurvesPicture picture{scene.name, "t", axis, false, false, {}};
+    CurvesPicture picture{
+        scene.name + ": " + what + " over time", "t", "error of the " + what, false, false, {}};
     for (const WorkCurve& curve : scene.curves) {
         const Departures& departures = curve.departures;
         Curve drawn{fmt::format("{}, h = {:.3g}", curve.name, departures.h), {}, curve.is_peer};
@@ -52,20 +69,21 @@ bool is_empty(const CurvesPicture& picture) {
 }
 
 void add(std::vector<Picture>& pictures, const std::string& name, const CurvesPicture& picture) {
-    if (!is_empty(picture)) pictures.push_back({name, draw(picture)});
+    if (!is_empty(picture)) pictures.push_back({name, picture.title, draw(picture)});
 }
 
 std::vector<Picture> pictures_of(const SceneReport& scene) {
     std::vector<Picture> pictures;
-    add(pictures, scene.name + "-1-time",
-        work(scene, "run time in seconds", [](const auto& p) { return p.seconds; }));
+    CurvesPicture times =
+        work(scene, "run time", "run time in seconds", [](const auto& p) { return p.seconds; });
+    add_rings(times, scene);
+    add(pictures, scene.name + "-1-time", times);
     add(pictures, scene.name + "-2-evaluations",
-        work(scene, "evaluations of dH/dq",
+        work(scene, "evaluations", "evaluations of dH/dq",
              [](const auto& p) { return static_cast<double>(p.evaluations); }));
-    add(pictures, scene.name + "-3-energy",
-        over_time(scene, "error of the energy", &Departures::energy));
+    add(pictures, scene.name + "-3-energy", over_time(scene, "energy", &Departures::energy));
     add(pictures, scene.name + "-4-invariants",
-        over_time(scene, "error of the invariants", &Departures::invariants));
+        over_time(scene, "invariants", &Departures::invariants));
     return pictures;
 }
 

@@ -10,7 +10,8 @@
 namespace hvi::gen {
 
 struct Picture {
-    std::string name;  ///< of its file, without an ending: `kepler-1-time`
+    std::string name;   ///< of its file, without an ending: `kepler-1-time`
+    std::string title;  ///< of which no other picture of the report has the same
     std::string svg;
 };
 

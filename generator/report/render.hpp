@@ -25,7 +25,4 @@ namespace hvi::gen {
 /// there are none.
 [[nodiscard]] std::string report_html(const Report& report, const Pictures& pictures);
 
-/// The part of it about edges; empty where there is none.
-[[nodiscard]] std::string edges_html(const Report& report, const Pictures& pictures);
-
 }  // namespace hvi::gen

@@ -22,6 +22,8 @@ struct WorkPoint {
     std::string status;            ///< `ok`, or why the run stopped
 
     [[nodiscard]] bool ok() const { return status == "ok"; }
+    /// Whether the middle half of its run times is wider than a quarter of their median.
+    [[nodiscard]] bool is_noisy() const { return seconds > 0 && spread > 0.25; }
 };
 
 /// How what is conserved departs, over a run of one step size.

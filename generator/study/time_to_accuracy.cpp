@@ -18,15 +18,10 @@ double seconds_between(const WorkPoint& missed, const WorkPoint& reached, double
     return missed.seconds * std::pow(reached.seconds / missed.seconds, part);
 }
 
-std::optional<Quickest> quickest(const SceneReport& scene, double accuracy, bool is_peer) {
-    std::optional<Quickest> result;
-    for (const WorkCurve& curve : scene.curves) {
-        if (curve.is_peer != is_peer) continue;
-        const auto seconds = seconds_to(curve, accuracy);
-        if (seconds && (!result || *seconds < result->seconds))
-            result = Quickest{curve.name, *seconds};
-    }
-    return result;
+std::optional<Quickest> first(const std::vector<Quickest>& in_order, bool is_peer) {
+    const auto found = std::find_if(in_order.begin(), in_order.end(),
+                                    [&](const Quickest& each) { return each.is_peer == is_peer; });
+    return found == in_order.end() ? std::nullopt : std::optional(*found);
 }
 
 }  // namespace
@@ -48,11 +43,22 @@ std::optional<double> seconds_to(const WorkCurve& curve, double accuracy) {
     return least;
 }
 
+std::vector<Quickest> in_order_of_time(const SceneReport& scene, double accuracy) {
+    std::vector<Quickest> result;
+    for (const WorkCurve& curve : scene.curves)
+        if (const auto seconds = seconds_to(curve, accuracy))
+            result.push_back({curve.name, *seconds, curve.is_peer});
+    std::stable_sort(result.begin(), result.end(),
+                     [](const Quickest& a, const Quickest& b) { return a.seconds < b.seconds; });
+    return result;
+}
+
 std::vector<TimeToAccuracy> times_to_accuracies(const SceneReport& scene) {
     std::vector<TimeToAccuracy> times;
-    for (const double accuracy : {1e-4, 1e-8, 1e-11})
-        times.push_back(
-            {accuracy, quickest(scene, accuracy, false), quickest(scene, accuracy, true)});
+    for (const double accuracy : {1e-4, 1e-8, 1e-11}) {
+        const std::vector<Quickest> all = in_order_of_time(scene, accuracy);
+        times.push_back({accuracy, first(all, false), first(all, true)});
+    }
     return times;
 }
 

@@ -19,7 +19,11 @@ namespace hvi::gen {
 struct Quickest {
     std::string method;
     double seconds = 0;
+    bool is_peer = false;  ///< of another library
 };
+
+/// All that get there, those of other libraries too, by rising time.
+[[nodiscard]] std::vector<Quickest> in_order_of_time(const SceneReport& scene, double accuracy);
 
 /// Empty where none gets there.
 struct TimeToAccuracy {

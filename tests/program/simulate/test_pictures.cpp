@@ -138,3 +138,17 @@ TEST_CASE("the picture of many bodies has the tracks of the first ones") {
     CHECK_FALSE(contains(picture, "x[9]"));
     CHECK(count_of(picture, "<image") == 0);
 }
+
+TEST_CASE("the picture of a run shows positions over time, as far as they are no bar") {
+    use_cache();
+    // 160 swings of which 20 turn back 40 times, and the closed orbit of all.
+    const std::string swinging_long = picture_of("pendulum");
+    CHECK(contains(swinging_long, ">q over t, until t = "));
+    CHECK(contains(swinging_long, ">p over q<"));
+    const std::string swinging_once = picture_of("pendulum", {"--until", "10"});
+    CHECK(contains(swinging_once, ">q over t<"));
+    CHECK(contains(swinging_once, ">energy, less that at the start, in 10"));
+    CHECK_FALSE(contains(swinging_once, "e-1"));
+    // Springs whose stiff ones would fill the plane.
+    CHECK(contains(picture_of("fpu"), ">d[1] over x[1], until t = "));
+}
