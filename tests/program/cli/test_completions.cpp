@@ -78,7 +78,7 @@ TEST_CASE("bash completes commands, options and values") {
     CHECK(bash.run("bash -n completions").err.empty());
     CHECK(bash.run("source completions; complete -p hvi-gen").out ==
           "complete -F _hvi_gen hvi-gen\n");
-    CHECK(bash("hvi-gen s") == "scheme\nstepper\nsymmetries\n");
+    CHECK(bash("hvi-gen s") == "scheme\nshow\nstepper\nsymmetries\n");
     CHECK(has(bash("hvi-gen "), "tableau\n"));
     CHECK(bash("hvi-gen --v") == "--version\n");
     CHECK(bash("hvi-gen tableau --d") == "--digits\n");
