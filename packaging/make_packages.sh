@@ -33,4 +33,4 @@ tar -C "$work/installed" --sort=name --owner=0 --group=0 --numeric-owner --mode=
 
 cd "$out"
 sha256sum -- *.deb *.whl *.tar.gz > SHA256SUMS
-ls -l
+ls -l -- *.deb *.whl *.tar.gz

@@ -4,18 +4,20 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
 export DEBIAN_FRONTEND=noninteractive
-install="apt-get install -y -qq --no-install-recommends -o Dpkg::Use-Pty=0"
+# NOTE: no pseudo-terminal, as a bare system has none.
+apt_get() { apt-get -y -qq -o Dpkg::Use-Pty=0 "$@" > /dev/null; }
+install() { apt_get install --no-install-recommends "$@"; }
 
 say() { printf '\n== %s\n' "$*"; }
 
-# run_kepler HVI-GEN [OPTION...]; no picture is asked for, as that needs gnuplot.
+# run_kepler HVI-GEN [OPTION...]: each compiles for itself; no picture, as that needs gnuplot.
 run_kepler() {
-    "$1" run kepler --until 20 --only table,summary -o "$(mktemp -d)/out" "${@:2}" | grep ^energy
+    XDG_CACHE_HOME=$(mktemp -d) "$1" run kepler --until 20 --only table,summary -o "$(mktemp -d)/out" "${@:2}" | grep ^energy
 }
 
 say "Packages of Debian, without a compiler"
-apt-get update -qq
-$install ./hvi-gen_*.deb ./libhvi-dev_*.deb ./python3-hvi_*.deb > /dev/null
+apt_get update
+install ./hvi-gen_*.deb ./libhvi-dev_*.deb ./python3-hvi_*.deb
 hvi-gen --version
 run_kepler hvi-gen --interpret
 
@@ -24,11 +26,12 @@ tar -C /opt -xzf hvi-*.tar.gz
 run_kepler /opt/hvi-*/bin/hvi-gen --interpret
 
 say "With a compiler: runs, headers by pkg-config, Python"
-$install g++ pkg-config libeigen3-dev > /dev/null
+install g++ pkg-config
 run_kepler hvi-gen
 run_kepler /opt/hvi-*/bin/hvi-gen
 hvi-gen stepper --method gauss:4 kepler --energy -o kepler.hpp
 sed -n '/^```cpp$/,/^```$/{/^```/d;p}' README.md > main.cpp
+# shellcheck disable=SC2046 # several options
 g++ -std=c++17 -O2 $(pkg-config --cflags hvi) main.cpp -o main
 ./main
 PKG_CONFIG_PATH=$(echo /opt/hvi-*/share/pkgconfig) pkg-config --cflags hvi
@@ -41,12 +44,12 @@ END_OF_PYTHON
 python3 smoke.py
 
 say "All is removed again"
-apt-get purge -y -qq hvi-gen libhvi-dev python3-hvi > /dev/null
-left=$(find /usr -path '*hvi*' ! -path '/usr/share/hvi*')
-[ -z "$left" ] || { echo "left: $left" >&2; exit 1; }
+apt_get purge hvi-gen libhvi-dev python3-hvi
+left=$(find /usr -path '*hvi*')
+[ -z "$left" ] || { echo "error: left behind: $left" >&2; exit 1; }
 
 say "The wheel"
-$install python3-venv python3-numpy > /dev/null
+install python3-venv python3-numpy
 python3 -m venv --system-site-packages /opt/env
 /opt/env/bin/pip install --quiet --no-index --no-deps ./hvi-*.whl
 /opt/env/bin/python smoke.py
