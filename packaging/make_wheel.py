@@ -1,10 +1,11 @@
 """Makes the wheel of the package `hvi` with hvi-gen inside.
 
-usage: make_wheel.py CHECKOUT HVI-GEN DIRECTORY
+usage: make_wheel.py CHECKOUT HVI-GEN DIRECTORY [LICENCE]
 
 Works in a copy, so that the checkout stays as it is; needs no network where setuptools and wheel are.
 The name of the wheel says on which systems hvi-gen runs: manylinux_2_N, for every Linux of this
-machine's kind with glibc 2.N, where it needs nothing but glibc; else this one alone.
+machine's kind with glibc 2.N, where it needs nothing but glibc; else this one alone. LICENCE is a
+file with those of the libraries that are in hvi-gen.
 """
 # SPDX-License-Identifier: GPL-2.0-or-later
 import os
@@ -34,7 +35,7 @@ def system_of(program):
     return f"manylinux_{major}_{minor}_{machine}"
 
 
-def stage(checkout, program, copy):
+def stage(checkout, program, licences, copy):
     """A copy of what the wheel is made of, with modes that do not depend on the user's umask."""
     shutil.rmtree(copy, ignore_errors=True)
     shutil.copytree(checkout / "python", copy / "python",
@@ -43,14 +44,23 @@ def stage(checkout, program, copy):
     inside = copy / "python/hvi/bin/hvi-gen"
     inside.parent.mkdir()
     subprocess.run(["strip", "-o", inside, program], check=True)
+    # setuptools takes LICENSE* along. The package alone is MIT, the program is not.
+    for licence in licences:
+        name = "LICENSE" if licence.stem == "LICENSE" else f"LICENSE.{licence.name}"
+        shutil.copy(licence, copy / "python" / name)
+    settings = copy / "python/pyproject.toml"
+    text = settings.read_text(encoding="utf-8")
+    settings.write_text(text.replace('{text = "MIT"}', '{text = "MIT AND GPL-2.0-or-later"}'),
+                        encoding="utf-8")
     for path in copy.rglob("*"):
         path.chmod(0o755 if path.is_dir() or path == inside else 0o644)
 
 
 def main():
-    checkout, program, out = (Path(argument).resolve() for argument in sys.argv[1:])
+    checkout, program, out, *linked = (Path(argument).resolve() for argument in sys.argv[1:])
     copy = out / "copy"
-    stage(checkout, program, copy)
+    licences = [checkout / "LICENSE", *sorted((checkout / "LICENSES").iterdir()), *linked]
+    stage(checkout, program, licences, copy)
     for old in out.glob("*.whl"):
         old.unlink()
     os.chdir(copy / "python")

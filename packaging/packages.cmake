@@ -4,6 +4,31 @@
 
 set(packaging "${PROJECT_SOURCE_DIR}/packaging")
 
+# ---- the licences of what hvi-gen is linked with for good ----
+
+set(linked)
+if(HVI_BUILD_GENERATOR AND HVI_STATIC_LIBRARIES)
+    set(linked "${PROJECT_BINARY_DIR}/linked-libraries.txt")
+    set(text "hvi-gen (GPL-2.0-or-later) has these libraries in it. As MPFR and the library of C++ are under
+version 3, the program as a whole is GPL-3.0-or-later. First what Debian says of each, then the licences.
+")
+    file(GLOB library_of_cxx RELATIVE /usr/share/doc /usr/share/doc/libstdc++-*-dev)
+    foreach(package IN ITEMS libginac-dev libcln-dev libgmp-dev libmpfr-dev libflint-dev libflint-arb-dev
+            libfmt-dev libtomlplusplus-dev nlohmann-json3-dev libcli11-dev libeigen3-dev libboost-dev
+            ${library_of_cxx})
+        file(READ "/usr/share/doc/${package}/copyright" said)
+        string(APPEND text "\n======== ${package} ========\n\n${said}")
+    endforeach()
+    foreach(licence IN ITEMS GPL-3 LGPL-3 LGPL-2.1)
+        file(READ "/usr/share/common-licenses/${licence}" said)
+        string(APPEND text "\n======== ${licence} ========\n\n${said}")
+    endforeach()
+    file(WRITE "${linked}" "${text}")
+    install(FILES "${linked}" DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT licences)
+    install(FILES "${linked}" DESTINATION "${CMAKE_INSTALL_DATADIR}/doc/hvi-gen"
+        COMPONENT program EXCLUDE_FROM_ALL)
+endif()
+
 # ---- what only packages of Debian have: no `cmake --install` without a component puts it anywhere ----
 
 # NOTE: the place in which Debian's python3 looks, whatever the libraries of this system are in.
@@ -81,7 +106,7 @@ if(HVI_BUILD_GENERATOR)
     mark_as_advanced(HVI_PYTHON3)
     add_custom_target(wheel
         COMMAND "${HVI_PYTHON3}" "${packaging}/make_wheel.py" "${PROJECT_SOURCE_DIR}" "$<TARGET_FILE:hvi-gen>"
-            "${PROJECT_BINARY_DIR}/wheel"
+            "${PROJECT_BINARY_DIR}/wheel" ${linked}
         DEPENDS hvi-gen
         COMMENT "Making the wheel"
         VERBATIM)

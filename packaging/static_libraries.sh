@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# Builds FLINT, Arb and fmt from the sources of this Debian as static libraries: of these it has none.
-# GiNaC, CLN, GMP and MPFR come with theirs; toml++ and the others are headers.
+# Builds FLINT, Arb and fmt from the sources of this Debian as static libraries, and toml++ from its
+# headers: of these it has none. GiNaC, CLN, GMP and MPFR come with theirs; the others are headers.
 # SPDX-License-Identifier: GPL-2.0-or-later
 #
-# usage: static_libraries.sh DIRECTORY    # DIRECTORY/include, DIRECTORY/lib; sources in DIRECTORY/source
+# usage: static_libraries.sh DIRECTORY    # the libraries are in DIRECTORY/lib
 set -euo pipefail
 
 mkdir -p "$1"
@@ -47,7 +47,14 @@ built_by_cmake() {
     cmake --install build
 }
 
+built_of_headers() {
+    printf '#define TOML_IMPLEMENTATION\n#include <toml++/toml.h>\n' > "$prefix/source/toml.cpp"
+    g++ -std=c++17 -O2 -D TOML_HEADER_ONLY=0 -c "$prefix/source/toml.cpp" -o "$prefix/source/toml.o"
+    ar rcs "$prefix/lib/libtomlplusplus.a" "$prefix/source/toml.o"
+}
+
 fetch
 in_source fmtlib built_by_cmake -D FMT_TEST=OFF -D FMT_DOC=OFF
+built_of_headers
 in_source flint built_by_make
 in_source flint-arb built_by_make --with-flint="$prefix"
