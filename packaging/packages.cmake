@@ -9,8 +9,8 @@ set(packaging "${PROJECT_SOURCE_DIR}/packaging")
 set(linked)
 if(HVI_BUILD_GENERATOR AND HVI_STATIC_LIBRARIES)
     set(linked "${PROJECT_BINARY_DIR}/linked-libraries.txt")
-    set(text "hvi-gen (GPL-2.0-or-later) has these libraries in it. As MPFR and the library of C++ are under
-version 3, the program as a whole is GPL-3.0-or-later. First what Debian says of each, then the licences.
+    set(text "hvi-gen (GPL-2.0-or-later) has these libraries in it. As MPFR is under LGPL-3.0-or-later, the program
+as a whole is GPL-3.0-or-later. First what Debian says of each library, then the licences.
 ")
     file(GLOB library_of_cxx RELATIVE /usr/share/doc /usr/share/doc/libstdc++-*-dev)
     foreach(package IN ITEMS libginac-dev libcln-dev libgmp-dev libmpfr-dev libflint-dev libflint-arb-dev
