@@ -25,4 +25,5 @@ target_compile_options(tomlplusplus::tomlplusplus INTERFACE -DTOML_HEADER_ONLY=0
 
 # Last, what those need in their turn. NOTE: -lgmp would take the shared library.
 set(CMAKE_CXX_STANDARD_LIBRARIES "-l:libcln.a -l:libmpfr.a -l:libgmp.a")
-string(APPEND CMAKE_EXE_LINKER_FLAGS " -static-libstdc++ -static-libgcc")
+# What nothing calls is left out, since parts of the library of C++ would want a newer glibc.
+string(APPEND CMAKE_EXE_LINKER_FLAGS " -static-libstdc++ -static-libgcc -Wl,--gc-sections")
