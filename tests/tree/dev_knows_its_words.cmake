@@ -12,7 +12,7 @@ function(says status text)
     endif()
 endfunction()
 
-foreach(word IN ITEMS demo check test bench docs help)
+foreach(word IN ITEMS demo check test packages bench docs help)
     says(0 "\n  ${word} " help)
 endforeach()
 says(2 "^usage: " nonsense)

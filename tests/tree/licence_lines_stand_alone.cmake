@@ -6,7 +6,7 @@ cmake_minimum_required(VERSION 3.25)
 set(words "SPDX-License-Identifier: ")
 set(licence "${words}(MIT|GPL-2.0-or-later)\n")
 
-set(directories bench docs examples generated generator src templates tests)
+set(directories bench docs examples generated generator packaging src templates tests)
 set(sources)
 foreach(directory IN LISTS directories)
     file(GLOB_RECURSE files RELATIVE "${ROOT}"
