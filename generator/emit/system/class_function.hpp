@@ -19,9 +19,9 @@ namespace hvi::gen {
 struct StraightCode {
     Kernel kernel;
     std::vector<std::string> targets = {};
-    NodeNames names = {};      ///< names of values that only this code is given
-    bool takes_lanes = false;  ///< whether it takes lanes as well as numbers
-    bool is_mirrored = false;  ///< whether `out` is a matrix of which the lower half is computed
+    NodeNames names = {};         ///< names of values that only this code is given
+    bool takes_lanes = false;     ///< whether it takes lanes as well as numbers
+    bool is_mirrored = false;     ///< whether `out` is a matrix of which the lower half is computed
     bool has_parameters = false;  ///< as arguments: it is computed before there is a System
 };
 
