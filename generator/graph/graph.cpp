@@ -17,7 +17,8 @@ Expression multiple(const SmallFraction& factor, const Expression& constant) {
     return factor.is_one() ? constant : Expression::product({as_expression(factor), constant});
 }
 
-/// Of a sum: that of its first term if all are equal in size, else 1; with the sign of the first.
+/// Returns the common factor of a sum: that of its first term if all are equal in size, else 1;
+/// with the sign of the first.
 SmallFraction common_factor(const std::vector<Scaled>& terms) {
     const SmallFraction first = terms.front().factor;
     const bool all_equal = std::all_of(terms.begin(), terms.end(), [&](const Scaled& term) {
@@ -27,7 +28,7 @@ SmallFraction common_factor(const std::vector<Scaled>& terms) {
     return {first.above < 0 ? -1 : 1, 1};
 }
 
-/// Ascending by node, like terms together, none of them zero.
+/// Returns the terms in ascending order of their nodes, with like terms added up and without zeros.
 std::vector<Scaled> merged(std::vector<Scaled> terms) {
     std::stable_sort(terms.begin(), terms.end(),
                      [](const Scaled& a, const Scaled& b) { return a.node < b.node; });
@@ -79,7 +80,7 @@ std::optional<Expression> Graph::folded(const Computation& computation) const {
     const std::size_t operands = computation.terms.size() + computation.arguments.size();
     if (operands == 0 || values.size() < operands) { return {}; }
     Expression value = of_operation(computation, std::move(values));
-    // NOTE: what a graph shares a text repeats, so that powers of constants would have no end.
+    // NOTE: a text repeats what a graph shares, so that powers of constants could grow without end.
     constexpr std::size_t longest = 1000;
     return to_text(value).size() <= longest ? std::optional(std::move(value)) : std::nullopt;
 }
@@ -193,7 +194,7 @@ Scaled Graph::half_power(const Scaled& a, long twice_exponent) {
 
 Scaled Graph::negative_half_power(const Scaled& a, long twice_exponent) {
     if (twice_exponent == -5) {
-        // The derivative of a^(-3/2), which is at hand then: no further division.
+        // Derivatives of a^(-3/2) have a^(-5/2). a^(-3/2) is known then: no further division.
         const Scaled cube = half_power(a, -3);
         return product(product(cube, cube), half_power(a, 1));
     }

@@ -8,7 +8,7 @@ namespace hvi::gen {
 
 namespace {
 
-/// Longer products are left alone: they are high powers.
+/// Limit on the factors of a product. Longer products are high powers, and are left alone.
 constexpr std::size_t most_factors = 16;
 
 /// A term as factor * function(argument)^2 * rest.
@@ -19,7 +19,7 @@ struct Square {
     std::vector<Node> rest;  ///< ascending
 };
 
-/// False where there are too many.
+/// Adds the factors of a node. Returns false where there are too many.
 bool add_factors(const Graph& graph, Node node, std::vector<Node>& factors) {
     const Computation& computation = graph.at(node);
     if (computation.operation != Operation::product) {
@@ -53,7 +53,7 @@ std::vector<Square> squares(const Graph& graph, const Scaled& term) {
     return result;
 }
 
-/// The factor of what is left of both, a of the first one's.
+/// Returns the factor of the sum of both terms; empty where no identity applies to them.
 std::optional<SmallFraction> together(const Square& a, const Square& b) {
     if (a.argument != b.argument || a.rest != b.rest) { return std::nullopt; }
     if (a.function == "sin" && b.function == "cos" && a.factor == b.factor) { return a.factor; }
@@ -67,7 +67,7 @@ Scaled product(Graph& graph, const SmallFraction& factor, const std::vector<Node
     return result;
 }
 
-/// Does so with two terms.
+/// Replaces one pair of terms. Returns whether there was one.
 bool apply_once(Graph& graph, std::vector<Scaled>& terms) {
     std::vector<std::vector<Square>> all;
     for (const Scaled& term : terms) { all.push_back(squares(graph, term)); }

@@ -1,4 +1,4 @@
-// A value with other inputs.
+// Substitution of inputs in a value.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -8,8 +8,8 @@
 
 namespace hvi::gen {
 
-/// The value with other ones for some inputs, in the same graph. Precondition: it divides by
-/// nothing that becomes 0.
+/// Substitutes `inputs` in `value`; new nodes go into the same graph. Precondition: no divisor
+/// becomes 0.
 [[nodiscard]] Scaled replaced(Graph& graph, const Scaled& value,
                               const std::map<Node, Scaled>& inputs);
 

@@ -8,16 +8,16 @@
 
 namespace hvi::gen {
 
-/// above / below in lowest terms, below > 0, both at most `largest` in size. What is larger is no
-/// small fraction, and stands in a graph as a constant.
+/// A fraction above / below in lowest terms, below > 0, both at most `largest` in size. Larger
+/// numbers stand in a graph as constants.
 struct SmallFraction {
     static constexpr long largest = 1'000'000'000;
 
     long above = 0;
     long below = 1;
 
-    /// Empty where it is too large. Precondition: the divisor is not zero, and both are less than
-    /// 2^62 in size.
+    /// Returns a fraction in lowest terms; empty where it is too large. Precondition: the divisor
+    /// is not zero, and both are less than 2^62 in size.
     [[nodiscard]] static std::optional<SmallFraction> of(long dividend, long divisor) {
         const long common =
             divisor < 0 ? -std::gcd(dividend, divisor) : std::gcd(dividend, divisor);
@@ -33,7 +33,7 @@ struct SmallFraction {
 
     friend auto operator<=>(const SmallFraction&, const SmallFraction&) = default;
     friend SmallFraction operator-(const SmallFraction& a) { return {-a.above, a.below}; }
-    /// Empty where the result is too large.
+    /// Returns the sum; empty where it is too large.
     friend std::optional<SmallFraction> operator+(const SmallFraction& a, const SmallFraction& b) {
         return of(a.above * b.below + b.above * a.below, a.below * b.below);
     }

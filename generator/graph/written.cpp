@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t most_words = 2000;
 
-/// Counts the words of nodes, each once.
+/// Counts the words of nodes, each node once.
 class Words {
 public:
     explicit Words(const Graph& graph) : graph_(graph) {}

@@ -1,4 +1,4 @@
-// From a graph back to expressions.
+// Expressions from a graph.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -12,13 +12,13 @@ namespace hvi::gen {
 
 [[nodiscard]] Expression as_expression(const SmallFraction& fraction);
 
-/// What the operation makes of the values of its terms, factors included, or of its arguments.
-/// Precondition: it is neither a constant nor an input.
+/// Returns the operation as an expression of the values of its terms, factors included, or of its
+/// arguments. Precondition: it is neither a constant nor an input.
 [[nodiscard]] Expression of_operation(const Computation& computation,
                                       std::vector<Expression> values);
 
-/// The value as an expression of the inputs, without places. Empty where that has more than two
-/// thousand words: what a graph shares a text repeats.
+/// Returns the value as an expression of the inputs, without places. Empty where it has more than
+/// two thousand words: a text repeats what a graph shares.
 [[nodiscard]] std::optional<Expression> written(const Graph& graph, const Scaled& a);
 
 }  // namespace hvi::gen

@@ -25,7 +25,7 @@ public:
         if (events.time) time_ = slots_.of(*events.time);
     }
 
-    /// Gives parameters their values.
+    /// Sets the values of parameters.
     void set(const std::vector<SystemParameter>& parameters, const std::vector<double>& values) {
         for (std::size_t k = 0; k < parameters.size(); ++k)
             parameters_.push_back({slots_.of(parameters[k].node), values[k]});
@@ -54,7 +54,7 @@ public:
         return numbers_[tape.results()[k]];
     }
 
-    /// A value that parameters decide.
+    /// Returns a value that depends on parameters alone.
     [[nodiscard]] double constant(const Tape& tape) {
         tape.run(numbers_.data());
         return result(tape);
@@ -74,7 +74,7 @@ struct EventTapes {
     std::optional<Tape> slope, crossing, set, cooldown, period;
 };
 
-/// Derivatives at an event: by the time, by the variables, and those along the motion.
+/// Returns a tape of derivatives at an event: by the time, by the variables, and along the motion.
 Tape tape_of_crossing(const LoweredEvent& event, const std::vector<Scaled>& motion, EventRow& row) {
     std::vector<Scaled> values{event.by_time};
     values.insert(values.end(), event.by_variables.begin(), event.by_variables.end());
@@ -124,7 +124,7 @@ EventCrossing crossing_at(const Tape& tape, const EventRow& row) {
     return result;
 }
 
-/// 0 for none.
+/// Returns the value of a time span; 0 where none is given.
 double time_span(const std::optional<LoweredSpan>& written, const std::optional<Tape>& tape,
                  EventRow& row) {
     if (!written) return 0;
@@ -133,7 +133,7 @@ double time_span(const std::optional<LoweredSpan>& written, const std::optional<
     return value;
 }
 
-/// NOTE: functions keep the row alive, which is one for all events of a run.
+/// NOTE: the functions keep the row alive, which all events of a run share.
 DrivenEvent driven(const LoweredEvent& event, EventTapes made,
                    const std::shared_ptr<EventRow>& row) {
     const auto tapes = std::make_shared<const EventTapes>(std::move(made));
@@ -165,7 +165,7 @@ DrivenEvent driven(const LoweredEvent& event, EventTapes made,
     return result;
 }
 
-/// The events of a row whose parameters have their values.
+/// Returns the events of a row whose parameters are set.
 std::vector<DrivenEvent> driven(const LoweredEvents& events, const std::shared_ptr<EventRow>& row) {
     std::vector<EventTapes> tapes;
     for (const LoweredEvent& event : events.events) tapes.push_back(tapes_of(events, event, *row));

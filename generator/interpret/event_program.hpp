@@ -1,4 +1,4 @@
-// Events of a scene, computed as they stand.
+// Events of a scene, evaluated without a compiler.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -10,17 +10,18 @@
 
 namespace hvi::gen {
 
-/// The events of a scene for the parameters that the system has. Throws as lowered_events() does,
+/// Returns the events of a scene for the parameters of the system. Throws as lowered_events() does,
 /// and InputError for a cooldown or a period that is negative. Precondition: the system is written
 /// out.
 [[nodiscard]] std::vector<DrivenEvent> driven_events(const System& system,
                                                      const WrittenOutScene& scene);
 
-/// The motion of a Hamiltonian system without rotations and functions of the user's own, for the
-/// parameters that it has. Preconditions: as of lowered_events(), and the time is a coordinate.
+/// Returns the motion of a Hamiltonian system without rotations and functions of the user's own,
+/// for the parameters of the system. Preconditions: those of lowered_events(), and the time is a
+/// coordinate.
 [[nodiscard]] FindMotion driven_motion(const System& system, const WrittenOutScene& scene);
 
-/// The events of a scene whose sums stay loops. Throws in the same cases.
+/// Returns the events of a scene whose sums stay loops. Throws as the function above.
 [[nodiscard]] std::vector<DrivenEvent> driven_events(const Scene& scene);
 
 }  // namespace hvi::gen

@@ -17,7 +17,7 @@ namespace {
 
 using Vector = InterpretedSystem::Vector;
 
-/// What both ways to sum have in common: a kick is made of dH/dq, a drift of dH/dp.
+/// Common part of both ways to sum: a kick takes dH/dq, a drift dH/dp.
 class Moves : public InterpretedStep {
 public:
     Moves(const Step& step, InterpretedSystem system)
@@ -57,7 +57,7 @@ protected:
     [[nodiscard]] std::size_t dimension() const { return n_; }
     [[nodiscard]] const Vector& weights(bool of_kick) const { return of_kick ? b_p_ : b_q_; }
 
-    /// The slope of a move, evaluated at `at` unless it is known.
+    /// Returns the slope of a move, evaluated at `at` unless it is known.
     [[nodiscard]] const Vector& slope(const Move& move, const Vector& at, bool is_known = false) {
         Vector& out = !keeps(move.kick) ? slope_ : move.kick ? force_ : velocity_;
         if (is_known) return out;
@@ -124,7 +124,7 @@ private:
     }
 
     Vector q_, p_, end_;
-    bool known_ = false;  ///< whether what is kept is that of q_, or of p_
+    bool known_ = false;  ///< whether the kept slope is that of q_, or of p_
 };
 
 /// Increments summed apart; see SummedMoves of emit/steps/explicit_moves.cpp.

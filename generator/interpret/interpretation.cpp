@@ -88,7 +88,8 @@ private:
         return system().value(name, {&x.q, &x.p, x.t});
     }
 
-    /// NOTE: the energy is conserved where H does not depend on the time.
+    /// Compares the values of a state with those at the start. NOTE: the energy is conserved where
+    /// H does not depend on the time.
     void see(const InterpretedState& x, detail::Departure* departures) const {
         const std::vector<std::string>& names = program().values();
         for (std::size_t k = program().has_time() ? 1 : 0; k < names.size(); ++k)

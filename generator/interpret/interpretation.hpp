@@ -12,11 +12,11 @@
 
 namespace hvi::gen {
 
-/// Why a stepper cannot be interpreted; empty where it can.
+/// Returns why a stepper cannot be interpreted; empty where it can.
 [[nodiscard]] std::string obstacle_to_interpretation(const SceneStepper& stepper);
 
-/// Steppers that compute the bits of a compiled module in which no product is fused with a sum.
-/// Where fixed points are too slow they throw SolverIsApart: Newton's method is to come.
+/// Returns steppers that compute the bits of a compiled module in which no product is fused with a
+/// sum. Where fixed points are too slow they throw SolverIsApart: Newton's method is to come.
 /// Preconditions: there is no obstacle, and `stepper` is made with module_wishes().
 [[nodiscard]] MakeStepper interpretation(const SceneStepper& stepper);
 

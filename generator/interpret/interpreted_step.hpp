@@ -17,7 +17,7 @@ struct InterpretedState : hvi::State<std::vector<double>> {
     double t = 0;
 };
 
-/// What a step keeps from one to the next.
+/// A step, and its memory from one step to the next.
 class InterpretedStep {
 public:
     InterpretedStep() = default;
@@ -29,24 +29,25 @@ public:
     /// vectors have the size of the system.
     [[nodiscard]] virtual Status take(InterpretedState& x, double h) = 0;
 
-    /// Forgets what steps have left behind.
+    /// Forgets the memory of steps.
     virtual void reset() = 0;
 
     [[nodiscard]] virtual const InterpretedSystem& system() const = 0;
 };
 
-/// The kicks and drifts of a step that solves nothing. Precondition: its form is an ExplicitStep,
-/// of a method without a free parameter.
+/// Returns the kicks and drifts of a step that solves nothing. Precondition: its form is an
+/// ExplicitStep, of a method without a free parameter.
 [[nodiscard]] std::unique_ptr<InterpretedStep> explicit_step(const Step& step,
                                                              InterpretedSystem system);
 
-/// Stages of positions that are solved for, the momenta being eliminated. Preconditions: the form
-/// is a VelocityStep without lanes, of a single step, whose solver needs no derivatives; the step
-/// lives longer.
+/// Returns a step that solves for positions of stages, without their momenta. Preconditions: the
+/// form is a VelocityStep without lanes, of a single step, whose solver needs no derivatives; the
+/// step lives longer.
 [[nodiscard]] std::unique_ptr<InterpretedStep> velocity_step(const Step& step,
                                                              InterpretedSystem system);
 
-/// Stages of positions and momenta. Preconditions: those of velocity_step(), for a PairStep.
+/// Returns a step with stages of positions and momenta. Preconditions: those of velocity_step(),
+/// for a PairStep.
 [[nodiscard]] std::unique_ptr<InterpretedStep> pair_step(const Step& step,
                                                          InterpretedSystem system);
 

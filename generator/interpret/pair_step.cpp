@@ -31,7 +31,7 @@ bool are_powers_of_two(const std::vector<StageValue>& values) {
     return true;
 }
 
-/// What of the step the stage equations look at.
+/// Tables of the step for the stage equations.
 struct PairTables {
     explicit PairTables(const Step& step)
         : b_q(weights_of(step.momenta)),
@@ -51,11 +51,11 @@ struct PairTables {
     }
 
     Doubles b_q, b_p, times;
-    bool rounds_weights;                                ///< h b_j are no exact products
+    bool rounds_weights;                                ///< whether h b_j are not exact products
     std::vector<WeightedSum> of_positions, of_momenta;  ///< sum_j m_ij Lq_j, sum_i mt_ji Lp_i
 };
 
-/// The stages of hvi::detail::Stages, of any number.
+/// Stages as in hvi::detail::Stages, of any number.
 struct PairVectors : detail::StepMemory<Vector> {
     PairVectors(std::size_t positions, std::size_t momenta, std::size_t dimension)
         : Q(positions), Lp(positions), P(momenta), Lq(momenta), hb_q(momenta), hb_p(positions) {
@@ -96,7 +96,7 @@ private:
     double weighed_ = 0;
 };
 
-/// A step that is under way: where slopes are evaluated.
+/// The present step: places where slopes are evaluated.
 struct PairsAtWork {
     const Step& step;
     const PairTables& tables;
@@ -110,7 +110,8 @@ struct PairsAtWork {
         return tables.times.empty() ? 0 : clock.at(tables.times[i]);
     }
 
-    /// NOTE: the ends of a separable step are the state.
+    /// Returns the point at which the force of stage i is evaluated. NOTE: the ends of a separable
+    /// step are the state.
     [[nodiscard]] InterpretedSystem::Point point_of_force(std::size_t i) const {
         const bool is_state =
             step.is_separable() && step.positions[i].place != StageValue::Place::inner;
@@ -125,7 +126,7 @@ struct PairsAtWork {
     [[nodiscard]] InterpretedSystem::Point start() const { return {&s.at.q, &s.at.p, clock.start}; }
 };
 
-/// The stages that a block solves for.
+/// Stages that a block solves for.
 struct BlockIndices {
     explicit BlockIndices(const Block& block)
         : Q(block.of(Kind::Q)),
@@ -136,7 +137,7 @@ struct BlockIndices {
     Indices Q, P, Lq, Lp;
 };
 
-/// What stage equations of a block have in common; see templates/parts/coupled.hpp.in.
+/// Common part of the stage equations of a block; see templates/parts/coupled.hpp.in.
 template <bool is_separable, bool of_q, bool of_p>
 struct CoupledBlock {
     const PairsAtWork& work;
@@ -215,7 +216,7 @@ struct BlockOneByOne : CoupledBlock<is_separable, of_q, of_p> {
     }
 };
 
-/// Both slopes of a stage at once.
+/// Both slopes of a stage evaluated at once.
 struct BlockJointly : CoupledBlock<false, true, true> {
     void slopes() {
         for (const std::size_t i : unknown.Lq) {
@@ -249,7 +250,7 @@ Status solve(SolvedBlock& block, const PairsAtWork& work) {
     return has_q && has_p ? with(no, yes, yes) : has_q ? with(no, yes, no) : with(no, no, yes);
 }
 
-/// See emit/steps/pair_form.cpp.
+/// Steps with stages of positions and momenta; see emit/steps/pair_form.cpp.
 class PairSteps : public InterpretedStep {
 public:
     PairSteps(const Step& step, InterpretedSystem system)
@@ -376,7 +377,7 @@ private:
 
     // ---- starting values ----
 
-    /// NOTE: for separable H slopes of p are enough.
+    /// Returns the stages with starting values. NOTE: for separable H slopes of p are enough.
     [[nodiscard]] Indices predicted(Kind kind) const {
         Indices all;
         if (kind == Kind::Lq && step_.is_separable()) return all;
@@ -422,7 +423,7 @@ private:
     std::deque<SolvedBlock> blocks_;
     std::optional<StartingSlopes> starting_;
     StartingSlopes::Before before_q_, before_p_;
-    Vector force_, velocity_;  ///< where the last step ended
+    Vector force_, velocity_;  ///< slopes at the end of the last step
     Vector by_q_, by_p_;
     bool q_is_done_ = false, p_is_done_ = false;
     detail::StepClock<double> clock_;

@@ -11,7 +11,7 @@
 
 namespace hvi::gen {
 
-/// A policy in the place of Newton's method, which is to come.
+/// A policy in place of Newton's method, which is to come.
 struct NewtonToCome {
     template <class Vector>
     struct Iteration {

@@ -5,7 +5,7 @@ namespace hvi::gen {
 
 namespace {
 
-/// Component k of all vectors.
+/// Returns component k of all vectors.
 Doubles components_at(const DoubleMatrix& vectors, std::size_t k) {
     Doubles result;
     for (const Doubles& vector : vectors) result.push_back(vector[k]);

@@ -20,7 +20,7 @@ std::vector<Slot> slots_of(Slots& slots, const std::vector<Node>& nodes) {
     return result;
 }
 
-/// What functions are given that depends on parameters alone: members of the class, which its
+/// Values that depend on parameters alone, which functions are given: members of the class that its
 /// constructor computes.
 class Members {
 public:
@@ -42,7 +42,7 @@ public:
 
     [[nodiscard]] const std::vector<Node>& nodes() const { return nodes_; }
 
-    /// Computes them, as the constructor does.
+    /// Returns the kernel that computes them, as the constructor does.
     [[nodiscard]] Kernel kernel() const {
         std::vector<Scaled> results;
         for (const Node node : nodes_) results.push_back({{1, 1}, node});
@@ -71,7 +71,7 @@ SystemProgram::SystemProgram(const System& system, const SceneWishes& wishes, co
         const auto* code = std::get_if<StraightCode>(&function.body);
         if (code == nullptr) continue;
         members.add(*code);
-        // NOTE: of functions of one name the first is the one that steps without lanes call.
+        // NOTE: of functions with one name, steps without lanes call the first.
         functions_.try_emplace(function.name, code->kernel, slots);
     }
     members_ = slots_of(slots, members.nodes());

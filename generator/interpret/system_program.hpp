@@ -1,4 +1,4 @@
-// The class System of a stepper, computed as it stands.
+// The class System of a stepper, evaluated without a compiler.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -16,14 +16,15 @@
 
 namespace hvi::gen {
 
-/// The functions of the class as tapes on one row of numbers. Its parameters are data.
+/// Functions of the class as tapes on one row of numbers. Its parameters are data.
 class SystemProgram {
 public:
-    /// Precondition: the system is written out, without functions of the user's own.
+    /// Makes the tapes. Precondition: the system is written out, without functions of the user's
+    /// own.
     SystemProgram(const System& system, const SceneWishes& wishes, const Step& step,
                   const Evaluations& evaluations);
 
-    /// The function of that name, whose results are components; null where there is none.
+    /// Returns the function with that name, whose results are components; null where there is none.
     [[nodiscard]] const Tape* function(const std::string& name) const {
         const auto found = functions_.find(name);
         return found == functions_.end() ? nullptr : &found->second;
@@ -31,23 +32,23 @@ public:
     [[nodiscard]] std::size_t coordinates() const { return q_.size(); }
     [[nodiscard]] std::size_t momenta() const { return p_.size(); }
     [[nodiscard]] bool has_time() const { return time_.has_value(); }
-    /// Names of functions that compute values of states, in their order: the energy, then the
-    /// invariants.
+    /// Returns the names of functions that compute values of states, in their order: the energy,
+    /// then the invariants.
     [[nodiscard]] const std::vector<std::string>& values() const { return values_; }
 
 private:
     friend class InterpretedSystem;
 
-    std::vector<double> numbers_;  ///< the row at first
+    std::vector<double> numbers_;  ///< the initial row
     std::vector<Slot> q_, p_, parameters_;
     std::optional<Slot> time_;
     std::map<std::string, Tape> functions_;
     std::vector<std::string> values_;
-    std::optional<Tape> constants_;  ///< what parameters alone decide, for `members_`
+    std::optional<Tape> constants_;  ///< computes `members_`, which depend on parameters alone
     std::vector<Slot> members_;
 };
 
-/// A System with its parameters. What a step calls has the names that it has in C++.
+/// A System with its parameters. Functions that a step calls have their names in C++.
 class InterpretedSystem {
 public:
     using Vector = std::vector<double>;
@@ -57,7 +58,7 @@ public:
 
     [[nodiscard]] const SystemProgram& program() const { return *program_; }
 
-    /// Where functions are evaluated, as far as they look at it.
+    /// Point at which functions are evaluated. Vectors that a function does not read may be null.
     struct Point {
         const Vector* q = nullptr;
         const Vector* p = nullptr;
@@ -71,21 +72,21 @@ public:
     void dHdp(const Point& at, Vector& out) const { evaluate(*by_p_, at, out); }
     void dHdp(const Vector& p, Vector& out) const { dHdp({.p = &p}, out); }
 
-    /// Both at once.
+    /// Evaluates both gradients at once.
     void gradient(const Point& at, Vector& by_q, Vector& by_p) const;
 
-    /// d2H/dp2 v, which is constant.
+    /// Sets out to d2H/dp2 v, where d2H/dp2 is constant.
     void inverse_mass(const Vector& v, Vector& out) const {
         evaluate(*inverse_mass_, {.p = &v}, out);
     }
 
-    /// A value of a state.
+    /// Returns a value of a state.
     [[nodiscard]] double value(const std::string& function, const Point& at) const;
 
-    /// Where the scene begins.
+    /// Sets q and p to the initial state of the scene.
     void begin(Vector& q, Vector& p) const;
 
-    /// How often dH/dq was evaluated.
+    /// Returns the number of evaluations of dH/dq.
     [[nodiscard]] std::int64_t evaluations() const { return evaluations_; }
 
 private:

@@ -1,4 +1,4 @@
-// Coefficients of a step as the doubles that its header has.
+// Coefficients of a step as the doubles of its header.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -16,27 +16,27 @@ using DoubleMatrix = std::vector<Doubles>;
 [[nodiscard]] Doubles as_doubles(const std::vector<Rounded>& values);
 [[nodiscard]] DoubleMatrix as_doubles(const RoundedMatrix& values);
 
-/// Weights of stage values, and the c_i of stages where H depends on the time.
+/// Return the weights of stage values, and the c_i of stages where H depends on the time.
 [[nodiscard]] Doubles weights_of(const std::vector<StageValue>& values);
 [[nodiscard]] Doubles times_of(const Step& step);
 
-/// A table that starting values are extrapolated with.
+/// Returns a table for the extrapolation of starting values.
 [[nodiscard]] DoubleMatrix rough_doubles(const NumberMatrix& exact);
 
 /// A sum of coefficients times vectors, in the order of the vectors. NOTE: coefficients that are 0
-/// are left out, as they are in a header.
+/// are left out, as in a header.
 class WeightedSum {
 public:
-    /// `values` are those of the coefficients in doubles.
+    /// `values` are the coefficients in doubles.
     WeightedSum(const NumberVector& exact, const Doubles& values);
 
-    /// Component k of first + coefficient * vector + ...
+    /// Returns component k of first + coefficient * vector + ...
     [[nodiscard]] double from(double first, const DoubleMatrix& vectors, std::size_t k) const {
         for (const auto& [index, value] : terms_) first += value * vectors[index][k];
         return first;
     }
 
-    /// Component k of the sum; 0 of nothing.
+    /// Returns component k of the sum; 0 for an empty sum.
     [[nodiscard]] double at(const DoubleMatrix& vectors, std::size_t k) const {
         if (terms_.empty()) return 0;
         double sum = terms_.front().value * vectors[terms_.front().index][k];

@@ -19,7 +19,8 @@ namespace {
 using Arguments = std::array<double, 4>;
 using FunctionOfNumbers = double (*)(const Arguments&);
 
-/// Functions by their names in a graph. NOTE: those of the code that write_code() writes.
+/// Returns functions by their names in a graph. NOTE: the functions that code of write_code()
+/// calls.
 const std::map<std::string, FunctionOfNumbers>& known_functions() {
     static const std::map<std::string, FunctionOfNumbers> functions = {
 #define HVI_FUNCTION(name, latex, domain, cuts, parity, runtime, derivative)                       \
@@ -97,7 +98,8 @@ private:
         return slots_.of(static_cast<double>(fraction.above) / static_cast<double>(fraction.below));
     }
 
-    /// NOTE: a divisor that is no divisor after all is computed where it stands.
+    /// Returns the slot of a node. NOTE: a divisor that turns out to be no divisor is computed
+    /// where it stands.
     Slot at(Node node) {
         if (graph_.is_number({{1, 1}, node})) return slots_.of(1.0);
         const auto found = values_.find(node);
@@ -124,7 +126,7 @@ private:
         return 0;
     }
 
-    /// factor * node, of a positive factor.
+    /// Returns the slot of factor * node, for a positive factor.
     Slot term(const SmallFraction& factor, Node node) {
         if (graph_.is_number({factor, node})) return literal(factor);
         if (factor.is_one()) return at(node);
@@ -155,7 +157,7 @@ private:
         return put(Act::divide, left, below(graph_.at(b)));
     }
 
-    /// A slot of what an inverse divides by.
+    /// Returns the slot of an inverse's divisor.
     Slot below(const Computation& computation) {
         const Slot argument = at(computation.arguments.front());
         return computation.operation == Operation::inverse_square_root ? put(Act::root, argument, 0)

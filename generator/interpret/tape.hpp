@@ -1,4 +1,4 @@
-// Straight-line code that is computed as it stands, without a compiler.
+// Straight-line code that is evaluated without a compiler.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -12,26 +12,27 @@
 
 namespace hvi::gen {
 
-/// A slot of a row of numbers.
+/// A place in a row of numbers.
 using Slot = std::uint32_t;
 
-/// Slots in a row of numbers: of nodes of a graph, of constants, and of what is in between.
+/// Slots in a row of numbers: of nodes of a graph, of constants, and of intermediate results.
 class Slots {
 public:
     explicit Slots(const Graph& graph) : graph_(&graph) {}
 
     [[nodiscard]] const Graph& graph() const { return *graph_; }
 
-    /// A new slot.
+    /// Returns a new slot.
     [[nodiscard]] Slot next() { return add(0); }
 
-    /// The slot of a constant.
+    /// Returns the slot of a constant.
     [[nodiscard]] Slot of(double constant);
 
-    /// The slot of a node, for all code that is given it; that of a constant has its value.
+    /// Returns the slot of a node, for all code that is given the node. The slot of a constant has
+    /// its value.
     [[nodiscard]] Slot of(Node node);
 
-    /// The row: constants in their slots, zeros in the others.
+    /// Returns the row: constants in their slots, zeros in the others.
     [[nodiscard]] const std::vector<double>& numbers() const { return numbers_; }
 
 private:
@@ -39,7 +40,7 @@ private:
 
     const Graph* graph_;
     std::vector<double> numbers_;
-    std::map<std::uint64_t, Slot> constants_;  ///< by their bits
+    std::map<std::uint64_t, Slot> constants_;  ///< by the bits of the constant
     std::map<Node, Slot> nodes_;
 };
 
@@ -47,13 +48,13 @@ private:
 /// order, so that both compute the same bits where a compiler fuses no product with a sum.
 class Tape {
 public:
-    /// Takes what the kernel is given from the slots of its nodes. Precondition: no function of
-    /// the user's own is called.
+    /// Makes a tape that takes the kernel's given values from the slots of their nodes.
+    /// Precondition: no function of the user's own is called.
     Tape(const Kernel& kernel, Slots& slots);
 
     void run(double* numbers) const;
 
-    /// Slots of the results, after run().
+    /// Returns the slots of the results, after run().
     [[nodiscard]] const std::vector<Slot>& results() const { return results_; }
 
 private:
@@ -62,7 +63,7 @@ private:
     enum class Act : std::uint8_t { add, subtract, multiply, divide, negate, root, call };
     using Function = double (*)(const std::array<double, 4>& arguments);
 
-    /// out = a act b; of a call `b` is the slot of the function in the list.
+    /// An instruction out = a act b. In a call `b` is the place of the function in the list.
     struct Instruction {
         Act act;
         Slot out, a, b;

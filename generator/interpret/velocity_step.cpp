@@ -22,14 +22,14 @@ namespace {
 using Vector = InterpretedSystem::Vector;
 using Kind = StageNode::Kind;
 
-/// The system as PathFactors takes it.
+/// The system in the form that PathFactors takes.
 template <bool is_diagonal>
 struct WithMass : InterpretedSystem {
     explicit WithMass(InterpretedSystem system) : InterpretedSystem(std::move(system)) {}
     static constexpr bool has_diagonal_mass = is_diagonal;
 };
 
-/// hvi::detail::exact_sum of a number of terms that a compiler does not know.
+/// Returns hvi::detail::exact_sum for a number of terms that a compiler does not know.
 template <class F>
 detail::Pair<double> exact_sum(const F& f, std::size_t first, std::size_t count) {
     if (count == 1) return {f(first), 0.0};
@@ -39,7 +39,7 @@ detail::Pair<double> exact_sum(const F& f, std::size_t first, std::size_t count)
     return {both.value, both.remainder + (left.lo + right.lo)};
 }
 
-/// The stages of hvi::detail::VelocityStages, of any number.
+/// Stages as in hvi::detail::VelocityStages, of any number.
 template <bool is_diagonal>
 struct VelocityVectors : detail::StepMemory<Vector> {
     using System = WithMass<is_diagonal>;
@@ -67,7 +67,7 @@ struct VelocityVectors : detail::StepMemory<Vector> {
                 drifted[i][k] = (remainder.q[k] + c[i] * rest_of_path[k]) + c[i] * free_path[k];
     }
 
-    /// Lp_j = -h b_j dH/dq, and W_j.
+    /// Sets Lp_j = -h b_j dH/dq, and W_j.
     void kick(std::size_t j, const Vector& gradient) {
         for (std::size_t k = 0; k < n; ++k) Lp[j][k] = -hb[j] * gradient[k];
         Vector& to = is_diagonal ? W[j] : factors_.scratch();
@@ -103,7 +103,7 @@ private:
     double weighed_ = 0;
 };
 
-/// What of the step the stage equations look at.
+/// Tables of the step for the stage equations.
 struct VelocityTables {
     explicit VelocityTables(const Step& step)
         : form(std::get<VelocityStep>(step.form)),
@@ -127,7 +127,7 @@ struct VelocityTables {
     std::unique_ptr<WeightedSum> at_end;  ///< sum_j (1 - c_j) W_j
 };
 
-/// The stage equations, as solvers take them; see templates/parts/coupled_positions.hpp.in.
+/// Stage equations, as solvers take them; see templates/parts/coupled_positions.hpp.in.
 template <bool is_diagonal>
 struct CoupledPositions {
     const VelocityTables& tables;
@@ -178,7 +178,7 @@ struct CoupledPositions {
     }
 };
 
-/// See emit/steps/velocity_form.cpp.
+/// Steps with stages of positions; see emit/steps/velocity_form.cpp.
 template <bool is_diagonal>
 class PositionSteps : public InterpretedStep {
 public:
@@ -278,7 +278,7 @@ private:
     StartingSlopes starting_;
     StartingSlopes::Before before_;
     std::vector<std::size_t> unknown_Q_, unknown_Lp_;
-    Vector force_;  ///< dH/dq where the last step ended
+    Vector force_;  ///< dH/dq at the end of the last step
     detail::StepClock<double> clock_;
 };
 

@@ -1,4 +1,4 @@
-// Whole numbers that depend on sizes and indices: what stands in an index, and bounds of sums.
+// Whole numbers that depend on sizes and indices: indices of elements, and bounds of sums.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -10,7 +10,7 @@
 
 namespace hvi::gen {
 
-/// constant + the sum of coefficients times names, of which none is 0.
+/// A constant plus a sum of coefficients times names. No coefficient is 0.
 struct AffineForm {
     long constant = 0;
     std::map<std::string, long> coefficients = {};
@@ -18,7 +18,7 @@ struct AffineForm {
     [[nodiscard]] static AffineForm of(const std::string& name) { return {0, {{name, 1}}}; }
     [[nodiscard]] long coefficient(const std::string& name) const;
     [[nodiscard]] bool is_number() const { return coefficients.empty(); }
-    /// Precondition: `values` has all names.
+    /// Returns the value. Precondition: `values` has all names.
     [[nodiscard]] long at(const std::map<std::string, long>& values) const;
 
     friend bool operator==(const AffineForm&, const AffineForm&) = default;
@@ -28,17 +28,18 @@ struct AffineForm {
 [[nodiscard]] AffineForm operator-(const AffineForm& a, const AffineForm& b);
 [[nodiscard]] AffineForm operator*(long factor, const AffineForm& a);
 
-/// The form with another in the place of a name.
+/// Substitutes a form for a name.
 [[nodiscard]] AffineForm replaced(const AffineForm& form, const std::string& name,
                                   const AffineForm& by);
 
-/// What is written, as such a form; empty where it is none: i*j, i/2, mod(i, 2), or above 10^8.
+/// Returns an expression as such a form; empty for others: i*j, i/2, mod(i, 2), or numbers above
+/// 10^8.
 [[nodiscard]] std::optional<AffineForm> affine_form(const Expression& expression);
 
-/// The form as an expression: what is added comes before what is subtracted, as in N-k+1.
+/// Returns the form as an expression: added terms come before subtracted ones, as in N-k+1.
 [[nodiscard]] Expression as_expression(const AffineForm& form);
 
-/// `N - 1`, `2*i + j`, as people write it.
+/// Returns the form as people write it: `N - 1`, `2*i + j`.
 [[nodiscard]] std::string to_text(const AffineForm& form);
 
 }  // namespace hvi::gen

@@ -1,4 +1,4 @@
-// Which coefficients are the same, as far as that is proved.
+// Equality of coefficients, as far as it is proved.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -6,11 +6,12 @@
 
 namespace hvi::gen {
 
-/// Proved to be equal. NOTE: two numbers known by enclosures alone may be equal without a proof;
-/// then neither function says so, and a plan must be right in both cases.
+/// Returns whether two numbers are proved to be equal. NOTE: two numbers known by enclosures alone
+/// may be equal without a proof. Then neither function says so, and a plan must be right in both
+/// cases.
 [[nodiscard]] bool equal(const Number& a, const Number& b);
 
-/// Proved to be different.
+/// Returns whether two numbers are proved to be different.
 [[nodiscard]] bool differ(const Number& a, const Number& b);
 
 }  // namespace hvi::gen

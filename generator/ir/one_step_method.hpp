@@ -1,4 +1,4 @@
-// A method that takes a step, exact: what a step is planned from, and its header written.
+// An exact method that takes a step: a step is planned from it, and a header is written.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -15,28 +15,28 @@ namespace hvi::gen {
 struct OneStepMethod {
     DerivedMethod base;
     std::optional<Composition> composition = {};
-    std::optional<Place> place = {};  ///< where it was given, for errors
+    std::optional<Place> place = {};  ///< its place in a text, for errors
 
     [[nodiscard]] const Provenance& provenance() const {
         return std::visit([](const auto& method) -> const Provenance& { return method.provenance; },
                           base);
     }
-    /// `stormer-verlet-yoshida:6`; empty where the method has no name.
+    /// Returns `stormer-verlet-yoshida:6`; empty where the method has no name.
     [[nodiscard]] std::string name() const { return composed_name(provenance().name, composition); }
-    /// The name, or METHOD.
+    /// Returns the name, or METHOD.
     [[nodiscard]] std::string title() const {
         return name().empty() ? provenance().origin : name();
     }
 };
 
-/// Stable text, for people and tests: the steps of a composition, and all numbers.
+/// Returns stable text, for people and tests: the steps of a composition, and all numbers.
 [[nodiscard]] std::string dump(const OneStepMethod& method);
 
 /// Stops the program (HVI_CHECK) where the record contradicts itself: tables that do not fit, steps
 /// of a composition that are no palindrome or whose sum is not 1.
 void verify(const OneStepMethod& method);
 
-/// Whether the texts are.
+/// Returns whether the texts are equal.
 [[nodiscard]] bool operator==(const OneStepMethod& left, const OneStepMethod& right);
 
 }  // namespace hvi::gen

@@ -11,7 +11,8 @@ namespace {
 
 using Kind = StageNode::Kind;
 
-/// NOTE: positions of the general Galerkin form have no momenta beside them.
+/// Returns whether a step has the general form. NOTE: positions of the general Galerkin form have
+/// no momenta beside them.
 bool is_general_form(const Step& step) {
     const auto* map = std::get_if<TabulatedStep>(&step.form);
     const bool is_curve = map != nullptr && std::holds_alternative<TabulatedCurve>(map->tables);
@@ -37,8 +38,8 @@ void verify_stages(const Step& step) {
     }
 }
 
-/// What a node needs: Q_i those Lq_j with m_ij != 0, P_j those Lp_i with m_ij != 1, and a slope its
-/// stage values.
+/// Returns the nodes that a node needs: Q_i needs the Lq_j with m_ij != 0, P_j the Lp_i with m_ij
+/// != 1, and a slope its stage values.
 std::vector<StageNode> needs(const Step& step, const StageNode& node) {
     std::vector<StageNode> result;
     const std::size_t i = node.index;
@@ -65,7 +66,8 @@ std::vector<StageNode> needs(const Step& step, const StageNode& node) {
     return result;
 }
 
-/// Each block needs only itself and what stands before it, and each slope is computed once.
+/// Checks that each block needs only itself and earlier blocks, and that each slope is computed
+/// once.
 void verify_order(const Step& step) {
     std::vector<StageNode> known;
     for (const Block& block : step.blocks) {
@@ -103,7 +105,7 @@ bool is_table(const RoundedMatrix& table, std::size_t rows, std::size_t columns)
                        [&](const std::vector<Rounded>& row) { return row.size() == columns; });
 }
 
-/// m_ij + mt_ji = 1 in each format that has both, and where one is missing so is the other.
+/// Checks m_ij + mt_ji = 1 in each format that has both. Where one is missing the other is, too.
 void verify_rounded(const Step& step, const RoundedCoefficients& coefficients) {
     const std::size_t r = step.positions.size(), s = step.momenta.size();
     HVI_CHECK(is_table(coefficients.m, r, s) && is_table(coefficients.mt, s, r));
@@ -119,7 +121,7 @@ void verify_rounded(const Step& step, const RoundedCoefficients& coefficients) {
     }
 }
 
-/// n_ij - n_ji = c_i - c_j in each format.
+/// Checks n_ij - n_ji = c_i - c_j in each format.
 void verify_rounded(const RoundedVelocityForm& form, std::size_t r) {
     HVI_CHECK(form.c.size() == r && is_table(form.n, r, r));
     for (std::size_t i = 0; i < r; ++i) {
@@ -132,7 +134,7 @@ void verify_rounded(const RoundedVelocityForm& form, std::size_t r) {
     }
 }
 
-/// A_ij + D_ij = B_j, and the sum of X_ij over i is B_j, in each format.
+/// Checks, in each format, A_ij + D_ij = B_j, and that the sum of X_ij over i is B_j.
 void verify_rounded(const RoundedGalerkinForm& form, std::size_t r, std::size_t s) {
     HVI_CHECK(is_table(form.X, r, s) && is_table(form.A, r, s) && is_table(form.D, r, s));
     HVI_CHECK(form.B.size() == s);
@@ -156,7 +158,7 @@ void verify_form(const Step& step, const ExplicitStep&) {
     verify_order(step);
 }
 
-/// One block of all there is, of r nodes and s functions.
+/// Checks that one block has all unknowns, of r nodes and s functions.
 void verify_curve(const Step& step, const GalerkinForm& form, const RoundedGalerkinForm& rounded) {
     const std::size_t r = form.nodes(), s = form.functions();
     HVI_CHECK(step.positions.size() == r && step.momenta.empty() && step.layout == Layout::one);
@@ -224,7 +226,7 @@ void verify_form(const Step& step, const GalerkinStep& form) {
     HVI_CHECK(P.has_value() == (form.side == Side::hamiltonian) && (!P || is_table(*P, r, r)));
 }
 
-/// What holds vectors decides what lanes can hold.
+/// Checks that the container of vectors goes with the lanes.
 void verify_container(const Step& step) {
     const bool are_vectors = step.container == Container::vectors;
     const Layout layout = step.layout;
@@ -233,7 +235,7 @@ void verify_container(const Step& step) {
     HVI_CHECK(layout != Layout::sites || std::holds_alternative<ExplicitStep>(step.form));
 }
 
-/// What only stages side by side have.
+/// Checks that only stages side by side have parts for lanes.
 void verify_lanes(const Step& step) {
     const bool are_lanes = step.layout == Layout::stages;
     HVI_CHECK(step.register_width == widest_register || (are_lanes && step.register_width == 4));

@@ -14,14 +14,14 @@
 
 namespace hvi::gen {
 
-/// From first to last; empty where last is less.
+/// Range from first to last; empty where last is less.
 struct LoopRange {
     AffineForm first, last;
 
     friend bool operator==(const LoopRange&, const LoopRange&) = default;
 };
 
-/// An index that a sum runs over. Bounds may have the indices of sums around it.
+/// An index that a sum runs over. Bounds may have the indices of outer sums.
 struct Loop {
     std::string index;
     LoopRange range;
@@ -29,7 +29,8 @@ struct Loop {
     friend bool operator==(const Loop&, const Loop&) = default;
 };
 
-/// What has a name and indices, the last of which runs fastest; or no index. Bounds have sizes.
+/// A family of elements under one name, with indices, the last of which runs fastest, or without.
+/// Bounds have sizes.
 struct SystemFamily {
     std::string name;
     std::vector<LoopRange> ranges = {};
@@ -38,11 +39,11 @@ struct SystemFamily {
     friend bool operator==(const SystemFamily&, const SystemFamily&) = default;
 };
 
-/// How many indices numbers of a point have where it has several and sums stay loops: two of a
-/// matrix.
+/// Returns how many indices tell apart the numbers of a point of this space, where sums stay loops:
+/// two for a matrix.
 [[nodiscard]] std::size_t component_dimensions(const Space& space);
 
-/// Whether families are those of coordinates and of their conjugates: with the same indices, and of
+/// Returns whether families can be coordinates and their conjugates: with the same indices, and of
 /// spaces that belong together.
 [[nodiscard]] bool are_of_one_body(const SystemFamily& q, const SystemFamily& conjugate);
 
@@ -55,25 +56,26 @@ struct ElementIndex {
     friend bool operator==(const ElementIndex&, const ElementIndex&) = default;
 };
 
-/// The index as people write it.
+/// Returns the index as people write it.
 [[nodiscard]] Expression as_expression(const ElementIndex& index);
 
 enum class FamilyKind {
     coordinate,
-    conjugate,  ///< a momentum, of a Lagrangian a velocity
+    conjugate,  ///< a momentum; of a Lagrangian a velocity
     table,
-    direction,  ///< what second derivatives are multiplied by, an element for each coordinate
-    direction_of_conjugate,  ///< the same for each conjugate
-    turn,  ///< of a rotation: what it is differentiated by in the place of its entries
+    direction,  ///< vector that second derivatives are multiplied by, an element for each
+                ///< coordinate
+    direction_of_conjugate,  ///< part of the vector for conjugates
+    turn,  ///< of a rotation, which is differentiated by turns in place of its entries
 };
 
-/// An element of a family, which is an input of the graph but for a turn.
+/// An element of a family. All but turns are inputs of the graph.
 struct Access {
     FamilyKind kind = FamilyKind::coordinate;
     std::size_t family = 0;  ///< among those of its kind
     std::vector<ElementIndex> indices = {};
     Node node = 0;
-    std::size_t component = 0;  ///< of a point, or of a tangent
+    std::size_t component = 0;  ///< number of a point, or of a tangent
 
     friend bool operator==(const Access&, const Access&) = default;
 };
@@ -86,19 +88,20 @@ struct AccessSlope {
     friend bool operator==(const AccessSlope&, const AccessSlope&) = default;
 };
 
-/// A sum over loops, each within the one before; without loops a single term.
+/// A sum over loops, each within the one before. Without loops it is a single term.
 struct SystemSum {
     std::vector<Loop> loops;
     Scaled value;
-    std::vector<std::size_t> accesses;             ///< that the value depends on, ascending
-    std::vector<AccessSlope> by_q, by_conjugates;  ///< that are not zero
+    std::vector<std::size_t> accesses;  ///< elements that the value depends on, ascending
+    std::vector<AccessSlope> by_q, by_conjugates;  ///< derivatives that are not zero
 
     friend bool operator==(const SystemSum&, const SystemSum&) = default;
 };
 
-/// A number that sums add up to and that others are made of, as two are in a product of two sums.
+/// A number that sums add up to and that other sums depend on, as on two such numbers in a product
+/// of two sums.
 struct SystemTotal {
-    Node node = 0;  ///< an input of the graph, with the roles of what it is made of
+    Node node = 0;  ///< input of the graph, with the roles of its sums
     std::vector<SystemSum> sums;
 };
 

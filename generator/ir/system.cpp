@@ -13,7 +13,8 @@ namespace {
 
 bool is_rotation(const SystemFamily& family) { return family.space == rotations_of_space; }
 
-/// NOTE: with loops the numbers of a point are elements of its family.
+/// Returns the number of elements of a point. NOTE: with loops the numbers of a point are elements
+/// of its family.
 std::size_t point_count(const System& system, const SystemFamily& family) {
     if (family.ranges.empty()) { return 1; }
     std::map<std::string, long> values;
@@ -21,7 +22,7 @@ std::size_t point_count(const System& system, const SystemFamily& family) {
     return element_count(family, values) / family.space.point;
 }
 
-/// The number of a degree of freedom of a system that is written out.
+/// Returns the number of a degree of freedom of a system that is written out.
 std::size_t degree_of(const System& system, const Access& access) {
     const std::size_t flat = flat_coordinates(system);
     return access.family < flat

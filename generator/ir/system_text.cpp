@@ -50,7 +50,7 @@ std::string names(const std::vector<std::string>& all) {
     return result;
 }
 
-/// Entries that are not zero; `second` is d2H or d2L.
+/// Returns lines of the entries that are not zero; `second` is d2H or d2L.
 std::string lines(const std::string& second, const HessianBlock& block,
                   const std::vector<std::string>& rows, const std::vector<std::string>& columns) {
     std::string result;
@@ -69,7 +69,7 @@ std::vector<std::string> names_of(const Graph& graph, const std::vector<Node>& i
     return result;
 }
 
-/// Degrees of freedom that derivatives are by: coordinates, and turns of bodies, `R~1`.
+/// Returns the degrees of freedom that derivatives are by: coordinates, and turns of bodies, `R~1`.
 std::vector<std::string> names_of_degrees(const System& system) {
     std::vector<std::string> result;
     for (const SystemFamily& family : system.coordinates) {
@@ -88,7 +88,7 @@ std::vector<std::string> names_of_conjugates(const System& system) {
     return names_of(system.graph, conjugate_nodes(system));
 }
 
-/// Blocks of second derivatives; `second` is d2H or d2L.
+/// Returns lines of the blocks of second derivatives; `second` is d2H or d2L.
 std::string lines(const std::string& second, const Hessian& all, const System& system) {
     const std::vector<std::string> q = names_of_degrees(system);
     const std::vector<std::string> y = names_of_conjugates(system);
@@ -155,7 +155,7 @@ std::string text(const ElementIndex& index) {
     return index.offset == AffineForm{} ? rest : rest + " + " + to_text(index.offset);
 }
 
-/// `x[i + 1]`, as what it is: a coordinate, or the direction at one.
+/// Returns `x[i + 1]`, with its kind: a coordinate, or the direction at one.
 std::string text(const System& system, const Access& access) {
     std::string indices;
     for (const ElementIndex& index : access.indices) {
@@ -181,7 +181,7 @@ std::string text(const std::vector<SystemFamily>& families) {
     return names(texts);
 }
 
-/// `i = 1..N - 1, j = i + 1..N`.
+/// Returns `i = 1..N - 1, j = i + 1..N`.
 std::string text(const std::vector<Loop>& loops) {
     std::string result;
     for (const Loop& loop : loops) {
@@ -275,7 +275,7 @@ std::string starts(const System& system) {
     return result;
 }
 
-/// Sizes and variables.
+/// Returns lines of the sizes and variables.
 std::string variables(const System& system) {
     const bool has_L = system.side == Side::lagrangian;
     const std::string conjugates = has_L ? "velocities" : "momenta";

@@ -8,7 +8,7 @@
 namespace hvi::gen {
 namespace {
 
-/// A node needs nodes of smaller numbers only, and depends on what these depend on.
+/// Checks that a node needs only nodes of smaller numbers, and has their roles.
 void verify(const Graph& graph, Node node) {
     const Computation& computation = graph.at(node);
     if (computation.operation == Operation::input) { return; }
@@ -56,7 +56,8 @@ void verify(const System& system, const std::vector<std::size_t>& accesses) {
     HVI_CHECK(accesses.empty() || accesses.back() < system.accesses.size());
 }
 
-/// NOTE: a rotation is differentiated by its turns, which do not occur.
+/// Checks derivatives of a sum. NOTE: a rotation is differentiated by its turns, which do not
+/// occur.
 void verify(const System& system, const SystemSum& sum, const std::vector<AccessSlope>& slopes,
             FamilyKind kind) {
     for (const AccessSlope& slope : slopes) {
@@ -78,14 +79,14 @@ void verify(const System& system, const std::vector<SystemSum>& sums) {
     }
 }
 
-/// The sums of a value: without loops they are one.
+/// Checks the sums of a value: without loops there is one.
 void verify_value(const System& system, const std::vector<SystemSum>& sums) {
     verify(system, sums);
     HVI_CHECK(!system.is_written_out() || sums.size() == 1);
     HVI_CHECK(!system.is_written_out() || sums.front().loops.empty());
 }
 
-/// Each total is an input, with the roles of what it is made of.
+/// Checks that each total is an input, with the roles of its sums.
 void verify_totals(const System& system) {
     for (const SystemTotal& total : system.totals) {
         const Computation& input = system.graph.at(total.node);
@@ -139,7 +140,8 @@ void verify_constant(const System& system) {
     }
 }
 
-/// A coordinate and its conjugate have the same indices, and spaces that belong together.
+/// Checks that a coordinate and its conjugate have the same indices, and spaces that belong
+/// together.
 void verify_families(const System& system) {
     const auto& [q, y] = std::tie(system.coordinates, system.conjugates);
     HVI_CHECK(q.size() == y.size());
@@ -152,7 +154,8 @@ void verify_families(const System& system) {
     }
 }
 
-/// Every variable is an access, in the order of the families, and derivatives are by all of them.
+/// Checks that every variable is an access, in the order of the families, and that derivatives are
+/// by all of them.
 void verify_written_out(const System& system) {
     const Structure& found = system.structure;
     const std::size_t n = system.degrees_of_freedom();

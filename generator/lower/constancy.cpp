@@ -13,12 +13,12 @@ namespace hvi::gen {
 
 namespace {
 
-/// The value of something where all variables are 0, in the same graph.
+/// Values of nodes where all variables are 0, in the same graph.
 class AtOrigin {
 public:
     explicit AtOrigin(Graph& graph) : graph_(graph) {}
 
-    /// Empty where that is a division by zero.
+    /// Returns the value; empty where it divides by zero.
     [[nodiscard]] std::optional<Scaled> operator()(const Scaled& a) {
         const auto value = at(a.node);
         return value ? std::optional(graph_.times(a.factor, *value)) : std::nullopt;
@@ -62,8 +62,9 @@ private:
     Graph& graph_;
 };
 
-/// NOTE: only to save work, and to refuse is always right: what differs between two points is not
-/// tried to be proved constant, which can take long.
+/// Returns whether an expression has one value at two points. NOTE: the test only saves work, and
+/// refusing is always right: a proof that an expression is constant can take long, and is not tried
+/// where the values differ.
 bool seems_constant(const Graph& graph, const Expression& expression) {
     try {
         const Ball first = value_at(expression, sample_point(graph, 0), nullptr);

@@ -1,4 +1,4 @@
-// What does not depend on the variables, however it is written.
+// Values that do not depend on the variables, however they are written.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -9,14 +9,15 @@
 
 namespace hvi::gen {
 
-/// The value for q = p = t = 0, in the same graph; empty where that is a division by zero.
+/// Returns the value for q = p = t = 0, in the same graph; empty where it divides by zero.
 [[nodiscard]] std::optional<Scaled> at_origin(Graph& graph, const Scaled& a);
 
-/// A node of parameters and constants alone that has this value for all variables, where there is
-/// one and that is proved: by the graph, or in a field in which variables and parameters are free.
+/// Returns a node of parameters and constants alone that has this value for all variables, where
+/// there is one and that is proved: by the graph, or in a field in which variables and parameters
+/// are free.
 [[nodiscard]] std::optional<Scaled> constant_value(Graph& graph, const Scaled& a);
 
-/// All inputs, each at a number of its own; the variables at others for each `step`.
+/// Returns a value for each input, all different; those of the variables differ for each `step`.
 [[nodiscard]] SymbolValues sample_point(const Graph& graph, std::size_t step);
 
 }  // namespace hvi::gen

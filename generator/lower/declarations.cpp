@@ -105,8 +105,8 @@ void Declaring::check_extents() const {
     }
 }
 
-/// Whether coordinates and their conjugates are pairs, of those families that turn, or of the
-/// others.
+/// Returns whether coordinates and their conjugates are pairs, among the families that turn, or
+/// among the others.
 bool Declaring::are_pairs(bool that_turn) const {
     const auto chosen = [&](const std::vector<SystemFamily>& families) {
         std::vector<SystemFamily> result = families;

@@ -20,24 +20,24 @@ struct DeclaredFamily {
     std::size_t number;
 };
 
-/// Names, and what they stand for.
+/// Names, and their meanings.
 struct Declarations {
     std::map<std::string, long> sizes;
     std::map<std::string, DeclaredFamily> families;
     Vocabulary names;             ///< without indices
-    std::set<std::string> taken;  ///< these, which no index of a loop may have
+    std::set<std::string> taken;  ///< names that no index of a loop may have
     Symbols symbols;              ///< parameters, and sizes as numbers
     Definitions definitions;
 
-    /// The expression with definitions put in. Throws InputError for a word that has no meaning, or
-    /// that the rules forbid; `indices` are known beside sizes.
+    /// Returns the expression with definitions put in. Throws InputError for a word that has no
+    /// meaning, or that the rules forbid; `indices` are known beside sizes.
     [[nodiscard]] IndexedExpression meant(const IndexedExpression& written, const SceneRules& rules,
                                           const std::vector<std::string>& indices = {}) const;
 };
 
 /// Adds the sizes, families, tables and parameters of a scene to a system. Throws InputError for a
-/// name that is none, is taken, or has no value, and NoLoops for what loops do not have: rotations,
-/// families that are no pairs, bounds and lists of other things than numbers and sizes.
+/// word that is no name, is taken, or has no value, and NoLoops for parts that loops do not have:
+/// rotations, families that are no pairs, bounds and lists of other things than numbers and sizes.
 [[nodiscard]] Declarations declare(System& system, const Scene& scene);
 
 [[nodiscard]] NumbersInFile numbers_in(const ValueFile& file);

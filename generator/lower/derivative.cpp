@@ -14,7 +14,7 @@ namespace hvi::gen {
 
 namespace {
 
-/// The expressions of functions.def, by their texts.
+/// Returns the expressions of functions.def, by their texts.
 std::map<std::string_view, Expression> expressions_of_functions() {
     std::map<std::string_view, Expression> expressions;
     for (const Function& function : functions()) {
@@ -26,7 +26,7 @@ std::map<std::string_view, Expression> expressions_of_functions() {
     return expressions;
 }
 
-/// What functions.def has of a function, with its arguments and its value for names.
+/// Lowers a text of functions.def, with the function's arguments and its value for names.
 Scaled lowered(Graph& graph, std::string_view text, const std::vector<Scaled>& arguments,
                const Scaled& value) {
     static const auto expressions = expressions_of_functions();
@@ -36,7 +36,8 @@ Scaled lowered(Graph& graph, std::string_view text, const std::vector<Scaled>& a
     return lower(graph, expressions.at(text), symbols, nullptr);
 }
 
-/// The derivative of a function by its argument number k; `value` is what it is there.
+/// Returns the derivative of a function by its argument number k; `value` is the value of the
+/// function.
 Scaled derivative(Graph& graph, const std::string& name, const std::vector<Scaled>& arguments,
                   const Scaled& value, std::size_t k) {
     if (is_own_function(name)) { return graph.call(own_derivative(name, k), arguments); }
@@ -44,10 +45,10 @@ Scaled derivative(Graph& graph, const std::string& name, const std::vector<Scale
     return lowered(graph, k == 0 ? function.derivative : function.by_second, arguments, value);
 }
 
-/// The gradients of what functions choose from, each once.
+/// Gradients of the alternatives that functions choose from, each once.
 using Gradients = std::map<Node, std::vector<Scaled>>;
 
-/// Goes down from f, and gives each node's share to its arguments.
+/// Reverse sweep: goes down from f, and adds each node's share to its arguments.
 class Reverse {
 public:
     Reverse(Graph& graph, const Scaled& f, const std::vector<Node>& inputs, Gradients& known)
@@ -63,7 +64,7 @@ public:
         }
     }
 
-    /// The derivatives by the inputs.
+    /// Returns the derivatives by the inputs.
     [[nodiscard]] std::vector<Scaled> totals() const {
         std::vector<Scaled> result;
         for (const Node input : inputs_) { result.push_back(total(input)); }
@@ -117,8 +118,8 @@ private:
         return computation.operation == Operation::call && is_choice(computation.name);
     }
 
-    /// Of a choice, the inputs get their shares at once, chosen as the value is. NOTE: 0 times the
-    /// derivative of what is not chosen would be no number where it has none.
+    /// Adds the share of a choice to the inputs at once, chosen as the value is. NOTE: 0 times the
+    /// derivative of an alternative that is not chosen would be NaN where it has none.
     void hand_to_inputs(const Computation& computation, const Scaled& share) {
         const Computation choice = as_if(computation);
         const Scaled a{{1, 1}, choice.arguments[0]}, b{{1, 1}, choice.arguments[1]};
@@ -131,7 +132,7 @@ private:
         }
     }
 
-    /// min and max as `if`.
+    /// Returns min and max as `if`.
     [[nodiscard]] Computation as_if(const Computation& computation) {
         if (is_if(computation.name)) { return computation; }
         std::vector<Scaled> arguments;
@@ -150,7 +151,9 @@ private:
         return known_[node] = reverse.totals();
     }
 
-    /// A share, or the terms of one that is a short polynomial: multiplied out, like terms of y^2/2
+    /// Returns a share in terms, multiplied out where it is a short polynomial: like terms of y^2/2
+    /// - y^3/3 come together, which y (1/2 - y/3) - y^2/3 hides. NOTE: a sum of inputs alone is not
+    /// multiplied out: x - y is the distance of two bodies, and c x - c y would lose its digits.
     /// - y^3/3 come together, which y (1/2 - y/3) - y^2/3 hides. NOTE: not a sum of inputs alone: x
     /// - y is the distance of two bodies, and c x - c y would lose its digits.
     [[nodiscard]] std::vector<Scaled> parts(const Scaled& share) const {
@@ -173,7 +176,7 @@ private:
         return result;
     }
 
-    /// A number, an input, or a product of two.
+    /// Returns whether a node is a number, an input, or a product of two.
     [[nodiscard]] bool is_monomial(Node node) const {
         const Computation& computation = graph_.at(node);
         const std::vector<Node>& factors = computation.arguments;
@@ -187,7 +190,7 @@ private:
         return graph_.at(node).operation == Operation::input;
     }
 
-    /// By argument number k.
+    /// Returns the derivative by argument number k.
     [[nodiscard]] Scaled partial(const Computation& computation, const Scaled& value,
                                  std::size_t k) {
         const Scaled a{{1, 1}, computation.arguments.front()};
@@ -207,8 +210,8 @@ private:
         return derivative(graph_, computation.name, arguments, value, k);
     }
 
-    /// By the node of the base. NOTE: the rule of products would give two terms, of which the graph
-    /// does not see that they are one.
+    /// Returns the derivative of a power by the node of its base. NOTE: the rule of products would
+    /// give two terms, and the graph does not see that they are equal.
     [[nodiscard]] Scaled of_half_power(const HalfPower& power) {
         const Scaled less = graph_.half_power(power.base, power.twice_exponent - 2);
         return graph_.product(graph_.times({power.twice_exponent, 2}, less),
@@ -227,7 +230,7 @@ private:
     Graph& graph_;
     const std::vector<Node>& inputs_;
     Gradients& known_;
-    std::vector<std::vector<Scaled>> shares_;  ///< whose sum is the derivative of f by a node
+    std::vector<std::vector<Scaled>> shares_;  ///< terms of the derivative of f by each node
     std::vector<bool> is_active_;              ///< whether a node depends on the inputs
 };
 

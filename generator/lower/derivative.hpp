@@ -6,9 +6,9 @@
 
 namespace hvi::gen {
 
-/// The partial derivatives of f by these inputs, in reverse mode: from f down, each node gets the
-/// derivative of f by it once (Griewank & Walther, Evaluating Derivatives, Section 3.2). They share
-/// what f is made of, and cost a small multiple of f, however many inputs there are.
+/// Returns the partial derivatives of f by these inputs, in reverse mode: from f down, each node
+/// gets the derivative of f by it once (Griewank & Walther, Evaluating Derivatives, Section 3.2).
+/// The derivatives share nodes of f, and cost a small multiple of f, however many inputs there are.
 [[nodiscard]] std::vector<Scaled> gradient(Graph& graph, const Scaled& f,
                                            const std::vector<Node>& inputs);
 

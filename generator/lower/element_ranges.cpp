@@ -19,7 +19,7 @@ Interval interval(const LoopRange& range, const Values& values) {
     return {range.first.at(values), range.last.at(values)};
 }
 
-/// The values of a form for given values of some names and intervals of the others.
+/// Returns the values of a form for intervals of its names.
 Interval bounds(const AffineForm& form, const std::map<std::string, Interval>& names) {
     Interval result{form.constant, form.constant};
     for (const auto& [name, coefficient] : form.coefficients) {
@@ -34,18 +34,18 @@ bool contains(const Interval& outer, const Interval& inner) {
     return outer.first <= inner.first && inner.last <= outer.last;
 }
 
-/// One index of an element within loops.
+/// Check of one index of an element within loops.
 class IndexCheck {
 public:
     IndexCheck(const ElementIndex& index, const LoopRange& allowed, const std::vector<Loop>& loops,
                const Values& sizes)
         : index_(index), allowed_(interval(allowed, sizes)), loops_(loops), values_(sizes) {}
 
-    /// Whether it stays within for all values of the loops; else values() has some for which it
-    /// does not.
+    /// Returns whether the index stays in its range for all values of the loops. Otherwise values()
+    /// has some for which it does not.
     [[nodiscard]] bool stays() { return stays_roughly() || stays_from(0); }
 
-    /// Whether there were too many of them to look at.
+    /// Returns whether the loops have too many values to look at.
     [[nodiscard]] bool gave_up() const { return seen_ > most_values; }
     [[nodiscard]] const Values& values() const { return values_; }
     [[nodiscard]] long found() const { return found_; }
@@ -54,7 +54,7 @@ public:
 private:
     static constexpr long most_values = 20'000'000;
 
-    /// As far as intervals show.
+    /// Returns whether intervals show that the index stays in its range.
     [[nodiscard]] bool stays_roughly() const {
         std::map<std::string, Interval> names;
         for (const auto& [name, value] : values_) { names[name] = {value, value}; }
@@ -72,8 +72,8 @@ private:
         return {offset.first, offset.last + modulus.last - 1};
     }
 
-    /// For all values of the loops from number `depth` on. NOTE: a form is least and largest at the
-    /// ends of the innermost loop.
+    /// Returns whether the index stays in its range for all values of the loops from number `depth`
+    /// on. NOTE: a form is least and largest at the ends of the innermost loop.
     [[nodiscard]] bool stays_from(std::size_t depth) {
         if (depth == loops_.size()) { return stays_here(); }
         const Loop& loop = loops_[depth];

@@ -1,4 +1,4 @@
-// Whether indices stay within the ranges of what they are indices of.
+// Checks that indices stay within the ranges of their families.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 

@@ -9,7 +9,7 @@ namespace hvi::gen {
 
 namespace {
 
-/// v dL/dv - L.
+/// Returns v dL/dv - L.
 Scaled energy_of_L(System& system) {
     std::vector<Scaled> terms{system.graph.times({-1, 1}, function_of(system))};
     const std::vector<Node> v = conjugate_nodes(system);
@@ -23,7 +23,7 @@ Scaled energy_of_L(System& system) {
 }  // namespace
 
 System with_energy(System system) {
-    if (!system.energy.empty()) { return system; }  // of a pass that has made another H
+    if (!system.energy.empty()) { return system; }  // energy of a pass that has made another H
     system.energy = system.sums;
     if (system.side == Side::lagrangian) {
         const Scaled value = energy_of_L(system);

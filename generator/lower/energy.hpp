@@ -6,8 +6,8 @@
 
 namespace hvi::gen {
 
-/// The system with its energy: H, or v dL/dv - L of what is written out. Precondition: slopes are
-/// there, and none of a sum of value 0.
+/// Returns the system with its energy: H, or v dL/dv - L where the system is written out.
+/// Precondition: slopes are there, and no sum of value 0.
 [[nodiscard]] System with_energy(System system);
 
 }  // namespace hvi::gen

@@ -25,7 +25,7 @@ Scaled slope_along(LoweredEvents& events, const Scaled& g, const Scaled& hamilto
     const std::vector<bool> is_part = nodes_of(graph, {g});
     std::map<std::size_t, Node> nodes;
     for (const EventVariable& each : events.variables) { nodes[each.number] = each.node; }
-    // Variables that g looks at, and their partners in H.
+    // Variables that g depends on, and their partners in H.
     std::vector<Node> own, partners;
     std::vector<long> signs;
     for (const auto& [number, node] : nodes) {

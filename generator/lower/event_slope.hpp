@@ -9,12 +9,13 @@
 
 namespace hvi::gen {
 
-/// The nodes that values are made of, themselves among them: by their numbers, whether one is.
+/// Returns, by the number of each node, whether the values depend on it; the nodes of the values
+/// are included.
 [[nodiscard]] std::vector<bool> nodes_of(const Graph& graph, const std::vector<Scaled>& values);
 
-/// {g, H} + dg/dt in the graph of the events, which has g and H. The conjugate of the coordinate
-/// with the number k is the variable k + degrees. H is differentiated by the few variables alone
-/// whose partners g looks at.
+/// Returns {g, H} + dg/dt in the graph of the events, which has g and H. The conjugate of the
+/// coordinate with number k is the variable k + degrees. H is differentiated only by the few
+/// variables whose partners g depends on.
 [[nodiscard]] Scaled slope_along(LoweredEvents& events, const Scaled& g, const Scaled& hamiltonian,
                                  std::size_t degrees);
 

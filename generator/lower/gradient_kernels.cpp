@@ -7,7 +7,7 @@ namespace hvi::gen {
 
 namespace {
 
-/// In additions, about.
+/// Returns the cost in additions, approximately.
 double cost(const OperationCounts& counts) {
     constexpr double division = 8, square_root = 8, call = 24;
     return static_cast<double>(counts.additions + counts.multiplications) +

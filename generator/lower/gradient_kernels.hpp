@@ -1,4 +1,4 @@
-// The two gradients of H, or of L, as straight-line code, one by one and at once, and their costs.
+// Gradients of H, or of L, as straight-line code, one by one and at once, and their costs.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -10,16 +10,16 @@ namespace hvi::gen {
 struct GradientKernels {
     Kernel by_q, by_conjugates;
     Kernel joint;               ///< by_q, then by_conjugates
-    Kernel by_conjugates_at_q;  ///< at the q of the by_q before it
-    std::vector<Node> shared;   ///< what that takes of it, or needs of q alone
+    Kernel by_conjugates_at_q;  ///< at the same q as the by_q before it
+    std::vector<Node> shared;   ///< values of q alone that by_conjugates_at_q takes or needs
 };
 
 [[nodiscard]] GradientKernels gradient_kernels(const System& system);
 
-/// What a kernel is given that varies, and is no input.
+/// Returns the nodes that a kernel is given that vary, and are no inputs.
 [[nodiscard]] std::vector<Node> computed_before(const Graph& graph, const Kernel& kernel);
 
-/// By the counts of operations.
+/// Returns the costs, from the counts of operations.
 [[nodiscard]] EvaluationCosts evaluation_costs(const System& system,
                                                const GradientKernels& kernels);
 

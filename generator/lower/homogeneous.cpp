@@ -16,12 +16,12 @@
 namespace hvi::gen {
 namespace {
 
-/// H = T(p) + U(q, p).
+/// Parts of H = T(p) + U(q, p).
 struct TwoParts {
     Scaled T, U;
 };
 
-/// The terms of H, also of sums with constant factors before them.
+/// Terms of H, also terms of sums with constant factors before them.
 class TermsByVariables {
 public:
     explicit TermsByVariables(Graph& graph) : graph_(graph) {}
@@ -57,7 +57,7 @@ private:
     std::vector<Scaled> T_, U_;
 };
 
-/// Whether 2 T = p T_p, as far as the graph shows.
+/// Returns whether 2 T = p T_p, as far as the graph shows.
 bool is_homogeneous(System& system, const Scaled& T) {
     std::vector<std::size_t> momenta;
     for (std::size_t k = 0; k < system.accesses.size(); ++k) {
@@ -72,7 +72,7 @@ bool is_homogeneous(System& system, const Scaled& T) {
     return form && form->empty();
 }
 
-/// scale^2 f(variables/scale).
+/// Returns scale^2 f(variables/scale).
 Scaled made_homogeneous(Graph& graph, const Scaled& f, const std::vector<Node>& variables,
                         const Scaled& scale) {
     const Scaled inverse = graph.inverse(scale);
@@ -86,7 +86,7 @@ class NewPairs {
 public:
     explicit NewPairs(System& system) : system_(system), taken_(taken_names(system)) {}
 
-    /// Adds a pair that begins at these numbers, and returns the inputs.
+    /// Adds a pair with these initial values. Returns the inputs.
     std::pair<Scaled, Scaled> add(std::string q, long q_start, std::string p, long p_start) {
         const std::size_t number = system_.coordinates.size();
         system_.coordinates.push_back({new_name(std::move(q), taken_), {}});

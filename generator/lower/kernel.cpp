@@ -48,7 +48,7 @@ std::vector<Node> divisors(const Graph& graph, const Kernel& kernel) {
     return result;
 }
 
-/// The nodes that a node is computed from; one that stands twice is there twice.
+/// Returns the nodes that a node is computed from, with repetitions.
 std::vector<Node> operands(const Computation& computation) {
     std::vector<Node> result = computation.arguments;
     for (const Scaled& term : computation.terms) { result.push_back(term.node); }
@@ -56,8 +56,9 @@ std::vector<Node> operands(const Computation& computation) {
 }
 
 /// Orders the nodes so that few values wait for their use: what the results need first, depth
-/// first, and after each node at once what lacked nothing else. So the forces of two bodies on each
-/// other are done with before those of the next two begin, and compilers find registers enough.
+/// first, and after each node at once the nodes that lacked nothing else. So the forces of two
+/// bodies on each other are finished before those of the next two begin, and compilers find
+/// registers enough.
 class Schedule {
 public:
     Schedule(const Graph& graph, const std::vector<Node>& nodes)
@@ -82,7 +83,7 @@ public:
     }
 
 private:
-    /// Does the last that is wanted, or finds what is to be done before it.
+    /// Puts the last wanted node into the order, or finds the nodes that it needs first.
     void take_up(std::vector<Node>& wanted) {
         const Node node = wanted.back();
         const bool is_ready = missing_[node] == 0;
@@ -135,7 +136,7 @@ Kernel kernel(const Graph& graph, std::vector<Scaled> results, IsGiven is_given)
     return kernel;
 }
 
-/// What is computed for each value of the inputs of that role.
+/// Returns the kernel of values that depend on inputs of that role.
 Kernel kernel_of(Role role, const Graph& graph, std::vector<Scaled> results) {
     return kernel(graph, std::move(results), [&](const Computation& computation) {
         return computation.operation == Operation::input || !has(computation.roles, role);

@@ -1,4 +1,4 @@
-// Which nodes of a graph some results need, when each is computed, and what it costs.
+// Nodes that results need, the order of their computation, and its cost.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -6,7 +6,7 @@
 
 namespace hvi::gen {
 
-/// How often what is done. A factor of 1 or -1 costs nothing.
+/// Numbers of operations. A factor of 1 or -1 costs nothing.
 struct OperationCounts {
     std::size_t additions = 0;
     std::size_t multiplications = 0;
@@ -18,31 +18,31 @@ struct OperationCounts {
     friend bool operator==(const OperationCounts&, const OperationCounts&) = default;
 };
 
-/// Straight-line code: nodes in an order in which they can be computed from what is given.
+/// Straight-line code: nodes in an order in which they can be computed from given ones.
 struct Kernel {
-    std::vector<Node> given;  ///< what the nodes and results use and do not compute, ascending
-    std::vector<Node> nodes;  ///< each as soon as a result is on its way that needs it
+    std::vector<Node> given;  ///< nodes that the code uses and does not compute, ascending
+    std::vector<Node> nodes;  ///< each as soon as a result needs it
     std::vector<Scaled> results;
-    std::vector<std::size_t> uses;  ///< of each node of the graph, by these nodes and results
-    /// Of the nodes those that are 1/b and used once, ascending: they have no value of their own,
-    /// and in a product with a are the division a/b.
+    std::vector<std::size_t> uses;  ///< uses of each node of the graph, by these nodes and results
+    /// Nodes that are 1/b and used once, ascending: they have no value of their own, and in a
+    /// product with a are the division a/b.
     std::vector<Node> divisors;
-    OperationCounts counts;  ///< of nodes and results
+    OperationCounts counts;  ///< operations of nodes and results
 
     [[nodiscard]] bool is_divisor(Node node) const;
 };
 
-/// What is computed at every evaluation. Given are the variables, and what does not depend on them:
-/// constants, parameters and what is made of these alone.
+/// Returns the code of every evaluation. Given are the variables and all values that do not depend
+/// on them: constants, parameters and values of these alone.
 [[nodiscard]] Kernel kernel(const Graph& graph, std::vector<Scaled> results);
 
-/// What is computed once, from inputs and constants.
+/// Returns code that runs once, from inputs and constants.
 [[nodiscard]] Kernel kernel_of_inputs(const Graph& graph, std::vector<Scaled> results);
 
-/// What is computed for each direction. Given is all that does not depend on it.
+/// Returns the code of each direction. Given are all values that do not depend on it.
 [[nodiscard]] Kernel kernel_of_direction(const Graph& graph, std::vector<Scaled> results);
 
-/// What is computed for each p at the same q and t. Given is all that does not depend on p.
+/// Returns the code of each p at the same q and t. Given are all values that do not depend on p.
 [[nodiscard]] Kernel kernel_of_momenta(const Graph& graph, std::vector<Scaled> results);
 
 }  // namespace hvi::gen

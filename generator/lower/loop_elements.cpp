@@ -48,7 +48,7 @@ private:
     Symbols symbols_;
 };
 
-/// NOTE: in an index a mod stands once, and what is beside it is added.
+/// Returns an index of an element. NOTE: in an index a mod stands once, with an added offset.
 ElementIndex TermLowering::index(const Expression& written) const {
     walk(written, [&](const Expression& part) {
         if (part.kind == Expression::Kind::symbol) {
@@ -84,7 +84,7 @@ ElementIndex TermLowering::index(const Expression& written) const {
                   Place{source_, written.range});
 }
 
-/// The name of an element in the graph, and among the symbols.
+/// Returns the name of an element in the graph, and among the symbols.
 std::string TermLowering::access(const Expression& element) {
     const Place place{source_, element.range};
     const auto found = names_.families.find(element.name);
@@ -109,7 +109,7 @@ std::string TermLowering::access(const Expression& element) {
     return name;
 }
 
-/// NOTE: elements become symbols, as a graph has them.
+/// Returns a term with symbols for its elements. NOTE: a graph has elements as inputs.
 Expression TermLowering::with_accesses(const Expression& term) {
     const bool is_of_family =
         term.kind == Expression::Kind::symbol && names_.families.count(term.name) != 0;

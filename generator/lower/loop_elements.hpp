@@ -10,10 +10,10 @@
 
 namespace hvi::gen {
 
-/// The value of a summand; its elements become accesses of the system. `known`: what symbols stand
-/// for, but the indices of loops. Throws InputError, with its place in `source`, for a word without
-/// a meaning and for an index that leaves its range, and NoLoops for an index of another form than
-/// ElementIndex.
+/// Returns the value of a summand; its elements become accesses of the system. `known` are the
+/// values of symbols, except indices of loops. Throws InputError, with its place in `source`, for a
+/// word without a meaning and for an index that leaves its range, and NoLoops for an index of
+/// another form than ElementIndex.
 [[nodiscard]] Scaled value_of_term(System& system, const Declarations& names, const LoopTerm& term,
                                    const std::shared_ptr<const Source>& source, Symbols known);
 

@@ -21,7 +21,7 @@ namespace hvi::gen {
 
 namespace {
 
-/// The numbers of elements of a family, which stand in a row, the last index running fastest.
+/// Numbers of elements of a family, which stand in a row, the last index running fastest.
 class ElementNumbers {
 public:
     ElementNumbers(const SystemFamily& family, const std::map<std::string, long>& sizes) {
@@ -31,7 +31,7 @@ public:
         }
     }
 
-    /// Nothing where there is no such element.
+    /// Returns the number of an element; empty where there is no such element.
     [[nodiscard]] std::optional<std::size_t> number(const Index& index) const {
         if (index.size() != firsts_.size()) { return {}; }
         long number = 0;
@@ -43,7 +43,7 @@ public:
         return static_cast<std::size_t>(number);
     }
 
-    /// All indices, in the order of their numbers.
+    /// Returns all indices, in the order of their numbers.
     [[nodiscard]] std::vector<Index> indices() const {
         std::vector<Index> result{{}};
         for (std::size_t d = 0; d < firsts_.size(); ++d) {
@@ -106,7 +106,7 @@ private:
         }
     }
 
-    /// The value, for these values of indices.
+    /// Returns the value of an expression, for these values of indices.
     [[nodiscard]] Scaled value(const IndexedExpression& written, const SceneRules& rules,
                                const WholeNumbers& indices = {}) {
         std::vector<std::string> names;
@@ -128,7 +128,7 @@ private:
         return result;
     }
 
-    /// Lets a symbol stand for its input or its value.
+    /// Gives a symbol the node of its input or its value.
     void know(const Expression& symbol, const std::shared_ptr<const Source>& source) {
         const std::string& name = symbol.name;
         if (symbols_.count(name) != 0 || is_constant(name)) { return; }
@@ -173,7 +173,7 @@ private:
         return lower(result_.graph, values_of(list).at(*number), {}, nullptr);
     }
 
-    /// The values of a list, of which those in a file are read once.
+    /// Returns the values of a list. Values in a file are read once.
     [[nodiscard]] const std::vector<Expression>& values_of(const SystemTable& list) {
         if (const auto* values = std::get_if<std::vector<Expression>>(&list.values)) {
             return *values;
@@ -214,8 +214,8 @@ private:
 
     // ---- slopes ----
 
-    /// H with its sums written out; nothing where it is not differentiated here. NOTE: of H that
-    /// has steps the number of words is all that may be wrong.
+    /// Returns H with its sums written out; empty where it is not differentiated here. NOTE: only
+    /// the number of words can be wrong in an H that has steps.
     [[nodiscard]] std::optional<Scaled> hamiltonian() {
         const bool is_plain =
             scene_.side == Side::hamiltonian && !scene_.scale && scene_.own.headers.empty();
@@ -233,7 +233,7 @@ private:
         }
     }
 
-    /// Of the variables that H has, events look at few.
+    /// Leaves out the variables of H that events do not depend on.
     void leave_out_other_variables() {
         std::vector<Scaled> values;
         for (const LoweredEvent& event : result_.events) {
@@ -246,7 +246,7 @@ private:
                       [&](const EventVariable& each) { return !is_part[each.node]; });
     }
 
-    // ---- what jumps ----
+    // ---- jumps ----
 
     [[nodiscard]] std::vector<LoweredJump> jumps(const ValueTable& table) {
         std::vector<LoweredJump> result;
@@ -302,7 +302,7 @@ private:
     WholeNumbers sizes_;
     LoweredEvents result_;
     Symbols symbols_;
-    /// The number of the first element of each variable, and those of the others.
+    /// Number of the first element of each family of variables, and the numbers of the others.
     std::map<std::string, std::pair<std::size_t, ElementNumbers>> variables_;
     std::size_t degrees_ = 0;          ///< coordinates, without the time
     std::optional<std::size_t> time_;  ///< its number among the coordinates, where it is one

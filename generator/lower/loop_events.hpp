@@ -7,12 +7,12 @@
 
 namespace hvi::gen {
 
-/// The events of the scene in a graph of their own: their sums are written out, elements are
-/// numbers of the state, and parameters have their values. Events have slopes of an H with at most
-/// 100 000 words where its sums are written out, in unscaled time and without functions of the
-/// user's own. Throws InputError for a
-/// word without a meaning, for an element that there is none of, for sums of too many words, for
-/// bodies that are set, and for an event of an L that depends on velocities or jumps.
+/// Returns the events of the scene in a graph of their own: their sums are written out, elements
+/// are numbers of the state, and parameters have their values. Events have slopes where H has at
+/// most 100 000 words with its sums written out, in unscaled time and without functions of the
+/// user's own. Throws InputError for a word without a meaning, for an element that does not exist,
+/// for sums of too many words, for bodies that are set, and for an event of an L that depends on
+/// velocities or jumps.
 [[nodiscard]] LoweredEvents lowered_events(const Scene& scene);
 
 }  // namespace hvi::gen

@@ -19,7 +19,7 @@ namespace {
 
 using Indices = std::vector<ElementIndex>;
 
-/// The mass of each element of a family of velocities, as its indices make it.
+/// The mass of each element of a family of velocities, as a function of its indices.
 struct Mass {
     std::vector<std::string> indices;
     Scaled value = Graph::number(0);
@@ -75,7 +75,7 @@ private:
 
     // ---- masses ----
 
-    /// Adds d2L/dv2 to the masses of the velocities that a sum is made of.
+    /// Adds d2L/dv2 of a sum to the masses of its velocities.
     void add_masses(const SystemSum& sum) {
         if (!sum.by_q.empty() || has_role(sum.value, static_cast<Roles>(Role::time))) {
             refuse("here velocities stand beside coordinates or the time");
@@ -92,7 +92,7 @@ private:
         system_.sums.push_back({sum.loops, negative(constant), {}, {}, {}});
     }
 
-    /// m of a slope m v.
+    /// Returns m of a slope m v.
     [[nodiscard]] Scaled mass_of(const AccessSlope& slope,
                                  const std::vector<std::size_t>& velocities) {
         const auto masses = linear_form(system_, slope.value, velocities);
@@ -106,7 +106,8 @@ private:
         return masses->empty() ? Graph::number(0) : masses->front().value;
     }
 
-    /// The position of a loop among the indices of an element that each loop counts one index of.
+    /// Returns the loops of the indices of an element, where each loop runs over one of its
+    /// indices.
     [[nodiscard]] std::vector<std::string> loops_of(const Access& access,
                                                     const std::vector<Loop>& loops) const {
         const SystemFamily& family = system_.family(access);
@@ -142,7 +143,7 @@ private:
 
     // ---- at other indices ----
 
-    /// A whole number in the graph.
+    /// Returns a whole number in the graph.
     [[nodiscard]] Scaled number(const AffineForm& form) {
         std::vector<Scaled> terms{Graph::number(form.constant)};
         for (const auto& [name, coefficient] : form.coefficients) {
@@ -155,7 +156,7 @@ private:
         return system_.graph.sum(std::move(terms));
     }
 
-    /// An index of a table, for other values of the indices of a mass.
+    /// Returns an index of a table, for other values of the indices of a mass.
     [[nodiscard]] std::optional<ElementIndex> at(const ElementIndex& index, const Mass& mass,
                                                  const Indices& target) const {
         for (std::size_t d = 0; d < target.size(); ++d) {
@@ -182,7 +183,7 @@ private:
         return result;
     }
 
-    /// The mass of the element with these indices; nothing where no code has it.
+    /// Returns the mass of the element with these indices; empty where no code can express it.
     [[nodiscard]] std::optional<Scaled> at(const Mass& mass, const Indices& target) {
         std::map<Node, Scaled> inputs;
         for (const std::size_t a : accesses_in(system_, {mass.value})) {
@@ -220,12 +221,12 @@ private:
         }
     }
 
-    /// The momentum at these indices.
+    /// Returns the momentum at these indices.
     [[nodiscard]] std::size_t momentum(std::size_t family, Indices indices) {
         return access_to(system_, FamilyKind::conjugate, family, std::move(indices));
     }
 
-    /// The sum of p^2/(2 m) over a family.
+    /// Returns the sum of p^2/(2 m) over a family.
     [[nodiscard]] SystemSum kinetic(std::size_t f) {
         const Mass& mass = masses_[f];
         const SystemFamily& family = system_.conjugates[f];
@@ -243,7 +244,7 @@ private:
         return sum;
     }
 
-    /// An invariant, with p/m in the place of v.
+    /// Returns an invariant, with p/m in place of v.
     [[nodiscard]] SystemSum in_momenta(SystemSum sum) {
         std::map<Node, Scaled> inputs;
         for (const std::size_t a : sum.accesses) {
@@ -258,14 +259,14 @@ private:
         return {std::move(sum.loops), value, {}, {}, {}};
     }
 
-    // ---- where it begins ----
+    // ---- initial values ----
 
     [[nodiscard]] Scaled momentum_at_start(std::size_t f, const Scaled& velocity,
                                            const Indices& indices) {
         return system_.graph.product(*at(masses_[f], indices), velocity);
     }
 
-    /// Turns the velocities of a start into momenta.
+    /// Turns the initial velocities of a family into momenta.
     void start_with_momenta(std::size_t f) {
         SystemStart& start = system_.initial[system_.coordinates.size() + f];
         if (auto* rule = std::get_if<SystemStart::Rule>(&start.values)) {

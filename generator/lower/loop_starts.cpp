@@ -91,7 +91,7 @@ void StartLowering::refuse_one_by_one(const SystemFamily& family) const {
     }
 }
 
-/// NOTE: without indices all bodies begin alike.
+/// Returns the initial values of bodies. NOTE: without indices all bodies begin alike.
 SystemStart StartLowering::points(const SystemFamily& family, const IndexedValue& value,
                                   const RotationValue& rotation) {
     const std::size_t dimension = family.ranges.size() - component_dimensions(family.space);

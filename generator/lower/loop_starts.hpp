@@ -1,4 +1,4 @@
-// Where the families of a system with loops begin.
+// Initial values of the families of a system with loops.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -9,9 +9,9 @@
 
 namespace hvi::gen {
 
-/// The starts of coordinates, then of conjugates, which are families of the system. Throws
-/// InputError for one that is missing, has another count of values or of indices than its family,
-/// or depends on a variable, and for a value of what is no variable.
+/// Returns the initial values of coordinates, then of conjugates, which are families of the system.
+/// Throws InputError for values that are missing, of another count or with other indices than their
+/// family, or that depend on a variable, and for a value of a name that is no variable.
 [[nodiscard]] std::vector<SystemStart> starts_of(System& system, const Declarations& names,
                                                  const Scene& scene);
 

@@ -18,7 +18,7 @@ bool has_role(const System& system, const Scaled& value, Roles roles) {
     return (system.graph.at(value.node).roles & roles) != 0;
 }
 
-/// Whether T has no time.
+/// Returns whether T does not depend on time.
 bool is_kinetic_autonomous(const System& system) {
     return std::all_of(system.sums.begin(), system.sums.end(), [&](const SystemSum& sum) {
         return std::none_of(
@@ -32,7 +32,8 @@ bool is_kinetic_autonomous(const System& system) {
 
 enum class Kinetic { other, quadratic, diagonal };
 
-/// Of one sum: whether each slope is the sum of constants times momenta, and of its own alone.
+/// Returns the form of one sum of T: whether each slope is a sum of constants times momenta, and
+/// depends on its own momentum alone.
 Kinetic kinetic(System& system, const SystemSum& sum) {
     Kinetic result = Kinetic::diagonal;
     const std::vector<std::size_t> momenta = accesses_of(sum.by_conjugates);
@@ -68,8 +69,8 @@ bool is_quadratic(System& system, const SystemSum& sum) {
     return !has_kinks(system.graph, forces);
 }
 
-/// Whether an element is told by the indices of all loops, so that it is in few summands: each
-/// loop's index stands in one of its indices without those of others.
+/// Returns whether an element determines the indices of all loops, so that it is in few summands:
+/// each loop's index stands in one of its indices without those of other loops.
 bool is_told_by(const Access& access, const std::vector<Loop>& loops) {
     const auto has = [](const ElementIndex& index, const Loop& loop) {
         return index.form.coefficient(loop.index) != 0;
@@ -115,7 +116,7 @@ SumEntries second_entries(System& system, const SystemSum& sum) {
     return result;
 }
 
-/// The element of the vector at the place of a variable, among the accesses.
+/// Returns the element of the vector at the place of a variable, as an access.
 std::size_t direction_of(System& system, std::size_t variable) {
     Access access = system.accesses[variable];
     access.kind = access.kind == FamilyKind::conjugate ? FamilyKind::direction_of_conjugate
@@ -129,7 +130,7 @@ std::size_t direction_of(System& system, std::size_t variable) {
     return system.accesses.size() - 1;
 }
 
-/// The derivative of a sum along the vector, whose own derivatives are the product.
+/// Returns the derivative of a sum along the vector; its own derivatives are the product.
 SystemSum product_of(System& system, const SystemSum& sum) {
     SystemSum result{sum.loops, {}, {}, {}, {}};
     std::vector<Scaled> terms;
@@ -182,7 +183,7 @@ HessianOfSums second_order(System& system) {
 
 }  // namespace
 
-/// NOTE: steps of rotations take nothing of the structure; see with_structure().
+/// NOTE: steps of rotations do not use the structure; see with_structure().
 System with_structure_of_sums(System system) {
     if (rotations_of(system) > 0) {
         system.structure.hessian = HessianForm::none;

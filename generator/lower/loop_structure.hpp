@@ -6,9 +6,9 @@
 
 namespace hvi::gen {
 
-/// The system with its structure: H = T(p) + U(q), T = p^T K p/2, whether U is quadratic, and what
-/// is coupled in d2U/dq2: read off the summands, never off sizes. Second derivatives are there but
-/// for an H that is made of totals. Preconditions: sums have loops; slopes, and the Sites of a
+/// Returns the system with its structure: H = T(p) + U(q), T = p^T K p/2, whether U is quadratic,
+/// and the couplings in d2U/dq2, all read off the summands, never off sizes. Second derivatives are
+/// included unless H is made of totals. Preconditions: sums have loops; slopes, and the Sites of a
 /// lattice, are there.
 [[nodiscard]] System with_structure_of_sums(System system);
 

@@ -36,7 +36,7 @@ struct Group {
     std::vector<Scaled> values;
 };
 
-/// The input for a sum that others are made of.
+/// Returns the input for a sum that other sums depend on.
 Scaled total(System& system, const Declarations& names, const std::string& name,
              const IndexedExpression& sum, const Symbols& known) {
     for (const SystemTotal& before : system.totals) {
@@ -62,7 +62,7 @@ std::vector<SystemSum> sums_of(System& system, const Declarations& names,
     for (const LoopTerm& term : split.terms) {
         const Scaled summand = value_of_term(system, names, term, whole.source, known);
         if (summand.is_zero()) { continue; }
-        // NOTE: where the kinds of what a summand depends on differ, it is another sum.
+        // NOTE: summands that depend on other kinds of variables form another sum.
         const Roles found = system.graph.at(summand.node).roles & of_state;
         const auto same = std::find_if(groups.begin(), groups.end(), [&](const Group& group) {
             return group.loops == term.loops && group.roles == found;

@@ -1,4 +1,4 @@
-// From a scene with sums to a system with loops.
+// A system with loops, from a scene with sums.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -7,10 +7,10 @@
 
 namespace hvi::gen {
 
-/// H or L with its sums for loops, its derivatives, and all else that a scene has. Throws
+/// Returns H or L with its sums as loops, its derivatives, and all else of a scene. Throws
 /// InputError for a word without a meaning and for an index that leaves its range for some value of
-/// those of its sums, NoLoops for what is not built for systems of any size, and MathError for a
-/// number that is not real.
+/// the indices of its sums, NoLoops for parts that are not built for systems of any size, and
+/// MathError for a number that is not real.
 [[nodiscard]] System loop_system(const Scene& scene);
 
 }  // namespace hvi::gen

@@ -26,21 +26,22 @@ bool any_part(const Expression& expression, const Test& test) {
     return found;
 }
 
-/// As a symbol, or as the index of a sum.
+/// Returns whether an expression has the name, as a symbol or as the index of a sum.
 bool mentions(const Expression& expression, const std::string& name) {
     return any_part(expression, [&](const Expression& part) { return part.name == name; });
 }
 
 constexpr long most_terms = 16;
 
-/// Counts the terms of a sum with numbers for bounds; more than the most of any other sum.
+/// Returns the number of terms of a sum with numbers for bounds; for any other sum more than the
+/// limit.
 long count_of_terms(const Expression& sum) {
     const auto first = affine_form(sum.arguments[0]), last = affine_form(sum.arguments[1]);
     if (!first || !last || !first->is_number() || !last->is_number()) { return most_terms + 1; }
     return std::clamp(last->constant - first->constant + 1, 0L, most_terms + 1);
 }
 
-/// Counts the terms of the largest sum of an expression, whose sums within sums are written out
+/// Returns the number of terms of the largest sum of an expression, with inner sums written out
 /// too.
 long count_of_all_terms(const Expression& expression) {
     long most = 1;
@@ -51,7 +52,7 @@ long count_of_all_terms(const Expression& expression) {
     return std::min(most_terms + 1, most * count_of_terms(expression));
 }
 
-/// Short sums with numbers for bounds, written out.
+/// Returns an expression with short sums written out where their bounds are numbers.
 Expression written_out(const Expression& expression) {
     Expression result = expression;
     for (Expression& argument : result.arguments) { argument = written_out(argument); }
@@ -72,7 +73,7 @@ public:
     Splitting(const std::shared_ptr<const Source>& source, const TermNames& names)
         : source_(source), names_(names) {}
 
-    /// Adds what an expression is, times the factors, within the loops.
+    /// Adds the summands of an expression, times the factors, within the loops.
     void split(const Expression& expression, const Expressions& factors,
                const std::vector<Loop>& loops) {
         switch (expression.kind) {
@@ -86,7 +87,7 @@ public:
             return split(expression.arguments.front(), more, loops);
         }
         case Expression::Kind::sum_over:
-            // NOTE: what short sums have in common is computed once for all of their terms.
+            // NOTE: values that terms of a short sum share are computed once for all of them.
             if (!loops.empty() && count_of_terms(expression) > 0 &&
                 count_of_all_terms(expression) <= most_terms) {
                 return split(written_out(expression), factors, loops);
@@ -100,7 +101,7 @@ public:
     LoopTerms result;
 
 private:
-    /// Variables of one kind at most, and no sum.
+    /// Returns whether an expression has variables of one kind at most, and no sum.
     [[nodiscard]] bool is_whole(const Expression& expression) const {
         const Roles found = roles(expression);
         return !has_sum(expression) && (found & (found - 1)) == 0;
@@ -124,7 +125,7 @@ private:
         result.terms.push_back({loops, Expression::product(std::move(all))});
     }
 
-    /// Sums as symbols. NOTE: what is inside a sum is left to it.
+    /// Returns an expression with symbols for its sums. NOTE: inner sums are left to them.
     [[nodiscard]] Expression with_totals(const Expression& expression,
                                          const std::vector<Loop>& loops) {
         if (expression.kind == Expression::Kind::sum_over) {
@@ -172,8 +173,8 @@ private:
                       Place{source_, written.range});
     }
 
-    /// NOTE: what is multiplied out is one factor, the others being without variables, so that
-    /// nothing is computed twice that was written once.
+    /// Splits a product. NOTE: only one factor is multiplied out, the others having no variables,
+    /// so that no value that was written once is computed twice.
     void split_product(const Expression& product, const Expressions& factors,
                        const std::vector<Loop>& loops) {
         if (is_whole(product)) { return add(product, factors, loops); }

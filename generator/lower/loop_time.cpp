@@ -23,7 +23,7 @@ bool has_role(const System& system, const SystemSum& sum, Role role) {
     return has(system.graph.at(sum.value.node).roles, role);
 }
 
-/// r^-3 added up over pairs of bodies, to the power -1/2.
+/// Total of r^-3 over pairs of bodies, to the power -1/2.
 class DistanceOfBodies {
 public:
     DistanceOfBodies(const System& system, const Declarations& names, const Place& place)
@@ -50,7 +50,7 @@ public:
     }
 
 private:
-    /// NOTE: the last family is the time.
+    /// Returns the number of coordinates. NOTE: the last family is the time.
     [[nodiscard]] std::size_t count() const { return system_.coordinates.size() - 1; }
 
     void check() const {
@@ -68,7 +68,7 @@ private:
         return Expression::element(name, {Expression::symbol(index)});
     }
 
-    /// base^(numerator/2).
+    /// Returns base^(numerator/2).
     [[nodiscard]] static Expression power(const Expression& base, long numerator) {
         return Expression::power(
             base, Expression::product({Expression::integer(numerator),
@@ -104,7 +104,7 @@ private:
         return Expression::sum({of, name_of_e()});
     }
 
-    /// H, and where it depends on the time H + e.
+    /// Sets the energy: H, or H + e where H depends on the time.
     void set_energy(const Sums& H) {
         Expression written = system_.expression;
         system_.energy = H;
@@ -125,7 +125,7 @@ private:
         return differentiated(system_, {{}, value, {}, {}, {}});
     }
 
-    /// A number that sums add up to.
+    /// Returns a number that sums add up to.
     [[nodiscard]] Scaled total(const std::string& name, Sums sums) {
         const Scaled input = system_.graph.input(name, roles_of_total(system_.graph, sums));
         system_.totals.push_back({input.node, std::move(sums)});
@@ -173,7 +173,7 @@ private:
                       place_, "\"distance\" or an expression");
     }
 
-    /// K = g (H + e).
+    /// Sets K = g (H + e).
     void multiply(const Sums& H, const IndexedExpression& scale) {
         const Scaled g =
             total("scale of the time", sums_of(system_, names_, scale, names_.symbols));
@@ -182,7 +182,7 @@ private:
         system_.expression = Expression::product({scale.written, with_e(system_.expression)});
     }
 
-    /// T and U.
+    /// Returns T and U.
     [[nodiscard]] std::pair<Sums, Sums> parts(const Sums& H) const {
         std::pair<Sums, Sums> result;
         for (const SystemSum& sum : H) {

@@ -13,7 +13,7 @@ namespace {
 
 using Kind = Expression::Kind;
 
-/// An integer of a few digits.
+/// Returns an integer of a few digits.
 std::optional<long> small_integer(const std::string& digits) {
     long value = 0;
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
@@ -31,8 +31,8 @@ bool is_variable(const Expression& expression) {
     return expression.kind == Kind::symbol && expression.name != "pi" && expression.name != "e";
 }
 
-/// Whether it is a number with more to it than sums, products and powers of numbers: one that is
-/// rounded once, as a whole.
+/// Returns whether an expression is a number with more to it than sums, products and powers of
+/// numbers. Such a number is rounded once, as a whole.
 bool is_irrational_constant(const Expression& expression) {
     if (own_call_in(expression) != nullptr) { return false; }
     return !contains(expression, is_variable) && contains(expression, [](const Expression& part) {
@@ -109,7 +109,7 @@ private:
         return multiplied(std::move(above));
     }
 
-    /// The factors of a product above and below the bar.
+    /// Collects the factors of a product above and below the bar.
     void collect(const Expression& expression, bool is_below, std::vector<Scaled>& above,
                  std::vector<Scaled>& below) {
         if (expression.kind == Kind::product) {
@@ -130,7 +130,7 @@ private:
         throw InputError("a division by zero", Place{source_, expression.range});
     }
 
-    /// Those of equal roles first, the fewer first.
+    /// Returns the product: factors of equal roles first, the fewer first.
     Scaled multiplied(std::vector<Scaled> factors) {
         std::stable_sort(factors.begin(), factors.end(),
                          [&](const Scaled& a, const Scaled& b) { return roles(a) < roles(b); });

@@ -46,7 +46,7 @@ private:
         }
     }
 
-    /// NOTE: the function alone may not depend on the time.
+    /// Gives the time a name. NOTE: the function alone may not depend on the time.
     void name_time(const Expression& expression) {
         walk(expression, [&](const Expression& part) {
             if (part.kind == Expression::Kind::symbol && part.name == "t" &&
@@ -93,7 +93,7 @@ private:
         return result;
     }
 
-    /// The momentum of the time after a jump, which keeps H + e at 0.
+    /// Returns the momentum of the time after a jump, which keeps H + e at 0.
     [[nodiscard]] LoweredJump jump_of_e(const std::vector<LoweredJump>& set) {
         Symbols after = symbols_;
         for (const LoweredJump& jump : set) { after[names_[jump.variable]] = jump.value; }
@@ -103,8 +103,8 @@ private:
         return {names_.size() - 1, result_.graph.times({-1, 1}, energy)};
     }
 
-    /// NOTE: functions of the user's own have no derivatives here, and rotations have no numbers
-    /// that H is differentiated by.
+    /// Finds the derivatives along the motion. NOTE: functions of the user's own have no
+    /// derivatives here, and rotations have no numbers that H is differentiated by.
     void find_motion() {
         const bool is_plain = system_.side == Side::hamiltonian && rotations_of(system_) == 0 &&
                               system_.own_headers.empty();

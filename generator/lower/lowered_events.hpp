@@ -19,20 +19,20 @@ struct LoweredJump {
     Scaled value;
 };
 
-/// A time, or a period, of parameters.
+/// A time, or a period, as a function of parameters.
 struct LoweredSpan {
     Scaled value;
-    Place place;  ///< where it is written
+    Place place;  ///< its place in the text
 };
 
 struct LoweredEvent {
     std::string name;
     EventDirection direction = EventDirection::both;
     long stop = 0;
-    bool is_kink = false;  ///< of H, which ends a step there
+    bool is_kink = false;  ///< whether it is a kink of H, which ends a step there
     Scaled zero;
-    /// The derivative along the motion, {zero, H} and that by the time; none of rotations, of L,
-    /// where functions of the user's own are called, and of many loops.
+    /// The derivative along the motion, {zero, H} plus the derivative by the time. None for
+    /// rotations, for L, where functions of the user's own are called, and for many loops.
     std::optional<Scaled> slope = {};
     /// The derivatives of `zero` by the variables, in their order; none where there is no `motion`.
     std::vector<Scaled> by_variables = {};
@@ -41,14 +41,14 @@ struct LoweredEvent {
     std::optional<LoweredSpan> cooldown = {}, period = {};
 };
 
-/// A variable that events look at.
+/// A variable that events depend on.
 struct EventVariable {
     std::size_t number;  ///< among coordinates, then conjugates
     Node node;
 };
 
 struct LoweredEvents {
-    Graph graph;                           ///< that of the system, and more; or their own
+    Graph graph;  ///< graph of the system with more nodes; or a graph of their own
     std::vector<EventVariable> variables;  ///< inputs of the graph
     std::optional<Node> time;              ///< the input t, where there is one
     /// The derivatives of the variables along the motion; none where events have no slope, and
@@ -59,12 +59,12 @@ struct LoweredEvents {
 
 /// Throws InputError at `place` where a value of an event of an L depends on velocities.
 void check_event_of_L(const Graph& graph, const Scaled& value, const Place& place);
-/// Throws InputError at `place`, where an event of an L sets something.
+/// Throws InputError at `place`, as an event of an L sets something.
 [[noreturn]] void refuse_set_of_L(const Place& place);
 
-/// Throws InputError for an event of an L that depends on velocities or jumps, and as lower().
-/// Preconditions: the scene is that of the system, also where its time is scaled, and the system is
-/// written out.
+/// Returns the events of a scene. Throws InputError for an event of an L that depends on velocities
+/// or jumps, and as lower(). Preconditions: the scene is that of the system, also where its time is
+/// scaled, and the system is written out.
 [[nodiscard]] LoweredEvents lowered_events(const System& system, const WrittenOutScene& scene);
 
 }  // namespace hvi::gen

@@ -12,7 +12,7 @@
 namespace hvi::gen {
 namespace {
 
-/// A system, and what the symbols of its expressions stand for.
+/// A system, and the values of symbols in its expressions.
 struct NamedSystem {
     System system;
     Symbols symbols;
@@ -23,7 +23,7 @@ struct NamedSystem {
         return node.node;
     }
 
-    /// The numbers of a family, with their names as inputs.
+    /// Adds the numbers of a family, with their names as inputs.
     void add(FamilyKind kind, SystemFamily family, const std::vector<std::string>& names) {
         const bool is_q = kind == FamilyKind::coordinate;
         std::vector<SystemFamily>& families = is_q ? system.coordinates : system.conjugates;
@@ -34,7 +34,7 @@ struct NamedSystem {
         families.push_back(std::move(family));
     }
 
-    /// Numbers by their names, then those of rotations.
+    /// Adds numbers by their names, then the numbers of rotations.
     void add(FamilyKind kind, const std::vector<std::string>& names,
              const std::vector<RotationNames>& rotations) {
         const bool is_q = kind == FamilyKind::coordinate;
@@ -60,7 +60,7 @@ void add_variables(NamedSystem& result, const Lagrangian& lagrangian) {
     result.add(FamilyKind::conjugate, lagrangian.velocities, {});
 }
 
-/// Turns of the rotations, as accesses: derivatives are by these.
+/// Adds turns of the rotations as accesses, which derivatives are taken by.
 void add_turns(System& system) {
     for (std::size_t f = flat_coordinates(system); f < system.coordinates.size(); ++f) {
         for (std::size_t axis = 0; axis < system.coordinates[f].space.tangent; ++axis) {
@@ -69,7 +69,7 @@ void add_turns(System& system) {
     }
 }
 
-/// A value as a sum without loops.
+/// Returns a value as a sum without loops.
 SystemSum term(const System& system, const Scaled& value) {
     return {{}, value, accesses_in(system, {value}), {}, {}};
 }
@@ -102,7 +102,7 @@ std::vector<SystemValue> values(NamedSystem& into,
     return result;
 }
 
-/// Where each family begins; nothing where there are no expressions.
+/// Returns the initial values of each family; empty where there are no expressions.
 std::vector<SystemStart> starts(NamedSystem& into,
                                 const std::vector<NamedExpression>& expressions) {
     std::vector<SystemStart> result;

@@ -1,4 +1,4 @@
-// From a Hamiltonian, or a scene, that is written out to a system.
+// A system from a Hamiltonian, or a scene, that is written out.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -10,13 +10,13 @@
 
 namespace hvi::gen {
 
-/// H and its gradient, with a parameter that has a value replaced by it; `parameters` are the
+/// Returns H and its gradient. A parameter that has a value is replaced by it; `parameters` are the
 /// inputs among the others. Throws InputError as lower() does. Preconditions: those of lower().
 [[nodiscard]] System named_system(const Hamiltonian& hamiltonian,
                                   const std::vector<std::string>& parameters);
 
-/// H or L, its gradient, and all else that a scene has. Of its parameters those of the function
-/// that have a value are replaced.
+/// Returns H or L, its gradient, and all else of a scene. Parameters of the function that have a
+/// value are replaced by it.
 [[nodiscard]] System named_system(const WrittenOutScene& scene);
 
 }  // namespace hvi::gen

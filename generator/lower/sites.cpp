@@ -14,10 +14,10 @@ namespace hvi::gen {
 
 namespace {
 
-/// The loop that an index is, with what is added to it; nothing where it is no such index.
+/// An index as the index of a loop plus a rest; no loop where it has another form.
 struct Shifted {
     std::optional<std::size_t> loop;
-    AffineForm rest;  ///< without the loop's index; of a mod that of its argument
+    AffineForm rest;  ///< without the loop's index; for a mod the rest of its argument
 };
 
 std::optional<Shifted> shifted(const AffineForm& form, const std::vector<Loop>& loops) {
@@ -32,7 +32,7 @@ std::optional<Shifted> shifted(const AffineForm& form, const std::vector<Loop>& 
     return result;
 }
 
-/// A form less whole moduli, as i + N - 2 is i - 2 modulo N.
+/// Returns a form reduced by whole moduli: i + N - 2 is i - 2 modulo N.
 AffineForm reduced(AffineForm form, const AffineForm& modulus) {
     if (modulus.coefficients.empty()) { return form; }
     const auto& [name, per] = *modulus.coefficients.begin();
@@ -40,7 +40,7 @@ AffineForm reduced(AffineForm form, const AffineForm& modulus) {
     return form - times * modulus;
 }
 
-/// Of a box: no bound has an index.
+/// Returns whether loops form a box: no bound has an index.
 bool are_box(const std::vector<Loop>& loops) {
     return std::all_of(loops.begin(), loops.end(), [&](const Loop& inner) {
         return std::all_of(loops.begin(), loops.end(), [&](const Loop& outer) {
@@ -54,7 +54,7 @@ class SiteLowering {
 public:
     explicit SiteLowering(System& system) : system_(system) {}
 
-    /// Whether it is a lattice; then the result is complete.
+    /// Returns whether the system is a lattice; then the result is complete.
     [[nodiscard]] bool find() {
         // NOTE: sweeps over sites have no clock, and see near places alone.
         const bool is_local = !system_.time && !is_made_of_totals(system_);
@@ -100,7 +100,7 @@ private:
                            [&](const AccessSlope& slope) { return add_velocity(sum, slope); });
     }
 
-    /// What the indices of an element say of the loops of its sum.
+    /// Returns the indices of an element in terms of the loops of its sum.
     [[nodiscard]] std::optional<std::vector<SiteIndex>> site_indices(const SystemSum& sum,
                                                                      const Access& access) {
         std::vector<SiteIndex> result;
@@ -144,7 +144,8 @@ private:
         return true;
     }
 
-    /// A term at the first or the last value of an index; there is no inside.
+    /// Leaves the first or the last value of an index, where a term stands alone, out of the
+    /// inside.
     [[nodiscard]] bool leave_out(const std::vector<SiteIndex>& indices) {
         for (std::size_t d = 0; d < indices.size(); ++d) {
             if (indices[d].loop) { continue; }
@@ -187,7 +188,7 @@ private:
         if (std::find(lasts.begin(), lasts.end(), last) == lasts.end()) { lasts.push_back(last); }
     }
 
-    /// A summand's value where the indices of its loops are those of the site less shifts.
+    /// Returns a summand's value where the indices of its loops are those of the site less shifts.
     [[nodiscard]] std::optional<Scaled> seen_from_site(const SystemSum& sum, const Scaled& value,
                                                        const std::vector<SiteIndex>& indices) {
         Graph& graph = system_.graph;
@@ -230,7 +231,7 @@ private:
         return input(std::move(seen), name);
     }
 
-    /// Whether lanes along the last index of sites find the element's neighbours in a row.
+    /// Returns whether lanes along the last index of sites find the element's neighbours in a row.
     [[nodiscard]] bool is_reachable(const SiteAccess& seen) {
         const std::size_t last = sites_.ranges.size() - 1;
         for (std::size_t d = 0; d < seen.of.size(); ++d) {
@@ -257,7 +258,7 @@ private:
         return node;
     }
 
-    /// NOTE: one formula for all sites, and so no neighbours.
+    /// Adds a velocity. NOTE: one formula for all sites, and so no neighbours.
     [[nodiscard]] bool add_velocity(const SystemSum& sum, const AccessSlope& slope) {
         const auto is_at_site = [&](const Access& access) {
             if (access.kind == FamilyKind::table) { return true; }

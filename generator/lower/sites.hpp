@@ -6,7 +6,7 @@
 
 namespace hvi::gen {
 
-/// The system with its sites, where it is a lattice; their values are added to the graph.
+/// Returns the system with its sites, where it is a lattice; their values are added to the graph.
 /// Precondition: the slopes are there.
 [[nodiscard]] System with_sites(System system);
 

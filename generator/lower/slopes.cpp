@@ -25,7 +25,7 @@ std::vector<std::size_t> variables_of(const System& system, const SystemSum& sum
     return result;
 }
 
-/// Slopes by degrees of freedom, from slopes by coordinates.
+/// Returns slopes by degrees of freedom, from slopes by coordinates.
 std::vector<AccessSlope> with_turns(System& system, const std::vector<AccessSlope>& by_q) {
     std::vector<Scaled> by_entries(coordinate_nodes(system).size(), Graph::number(0));
     for (const AccessSlope& slope : by_q) { by_entries[slope.access] = slope.value; }
@@ -65,8 +65,8 @@ std::vector<std::size_t> accesses_of(const std::vector<AccessSlope>& slopes) {
 
 std::optional<std::vector<AccessSlope>> linear_form(System& system, const Scaled& value,
                                                     const std::vector<std::size_t>& variables) {
-    // NOTE: the derivatives of a function with a kink are constant on both sides of it, and not
-    // one.
+    // NOTE: the derivatives of a function with a kink may be constant on both sides of it, with two
+    // values.
     if (has_kinks(system.graph, {value})) { return std::nullopt; }
     std::vector<AccessSlope> coefficients = slopes(system, value, variables);
     const bool are_constant =
@@ -88,7 +88,7 @@ SystemSum differentiated(System& system, SystemSum sum) {
         const bool is_q = system.accesses[slope.access].kind == FamilyKind::coordinate;
         (is_q ? sum.by_q : sum.by_conjugates).push_back(slope);
     }
-    // NOTE: with loops a step makes turns of the derivatives by entries, body by body.
+    // NOTE: with loops a step computes derivatives by turns from those by entries, body by body.
     if (system.is_written_out() && rotations_of(system) != 0) {
         sum.by_q = with_turns(system, sum.by_q);
     }

@@ -32,7 +32,7 @@ bool is_constant(const Graph& graph, const Matrix& matrix) {
                          [&](const Scaled& entry) { return !varies(graph.at(entry.node).roles); });
 }
 
-/// Whether all entries are constant; then they are nodes that do not vary.
+/// Returns whether all entries are constant; then they become nodes that do not vary.
 bool settle(Graph& graph, Matrix& matrix) {
     Matrix settled = matrix;
     for (std::vector<Scaled>& row : settled) {
@@ -46,15 +46,15 @@ bool settle(Graph& graph, Matrix& matrix) {
     return true;
 }
 
-/// The entries below the diagonal of a symmetric matrix in place of those above it.
+/// Replaces the entries above the diagonal of a symmetric matrix by those below it.
 void mirror(Matrix& matrix) {
     for (std::size_t i = 0; i < matrix.size(); ++i) {
         for (std::size_t j = 0; j < i; ++j) { matrix[j][i] = matrix[i][j]; }
     }
 }
 
-/// A derivative that is seen to be zero in one order of its two variables is so in the other:
-/// q1 q2/q2 by q2 and then by q1.
+/// Sets an entry to zero where its mirror entry is seen to be zero. A second derivative may be seen
+/// to be zero in one order of its variables alone: q1 q2/q2 by q2 and then by q1.
 void share_zeros(Matrix& matrix) {
     for (std::size_t i = 0; i < matrix.size(); ++i) {
         for (std::size_t j = 0; j < i; ++j) {
@@ -69,7 +69,7 @@ bool depends_on(const Graph& graph, const std::vector<Scaled>& values, Role role
                        [&](const Scaled& value) { return has(graph.at(value.node).roles, role); });
 }
 
-/// K p.
+/// Returns K p.
 std::vector<Scaled> product(System& system, const Matrix& K) {
     const std::vector<Node> momenta = conjugate_nodes(system);
     std::vector<Scaled> result;
@@ -83,7 +83,7 @@ std::vector<Scaled> product(System& system, const Matrix& K) {
     return result;
 }
 
-/// What does not vary in a sum.
+/// Returns the constant terms of a sum.
 Scaled constant_terms(Graph& graph, const Scaled& entry) {
     const Computation& sum = graph.at(entry.node);
     if (!varies(sum.roles)) { return entry; }
@@ -127,7 +127,8 @@ ConstantTerms stiffness(System& system, const Matrix& qq) {
     return result.empty() ? ConstantTerms{} : result;
 }
 
-/// NOTE: (Hpq Hpp; -Hqq -Hqp) with nothing but Hqq, or Hpp, has no square, and nothing is stiff.
+/// NOTE: (Hpq Hpp; -Hqq -Hqp) with nothing but Hqq, or Hpp, has a square of 0, and nothing is
+/// stiff.
 ConstantTerms constant_part(System& system, const Structure& found) {
     Hessian constant = constant_terms(system);
     const bool is_by_components =
@@ -138,7 +139,7 @@ ConstantTerms constant_part(System& system, const Structure& found) {
     return moves ? constant : ConstantTerms{};
 }
 
-/// NOTE: where a slope has no value at the origin as it is written there is no linear map.
+/// NOTE: where a slope, as it is written, has no value at the origin there is no linear map.
 void set_linear_part(Structure& found, System& system) {
     const auto add = [&](std::vector<Scaled>& values, const Scaled& slope) {
         const auto value = at_origin(system.graph, slope);
@@ -163,7 +164,8 @@ void set_direction(Structure& found, System& system) {
     found.qq_along = gradient(system.graph, along, coordinate_nodes(system));
 }
 
-/// Second derivatives, added to the graph; what is proved to be constant does not vary in it.
+/// Returns the second derivatives, added to the graph. Entries that are proved to be constant do
+/// not vary in it.
 Hessian hessian(System& system) {
     Hessian second;
     Graph& graph = system.graph;
@@ -176,8 +178,8 @@ Hessian hessian(System& system) {
     }
     if (rotations_of(system) == 0) { share_zeros(second.qq); }
     share_zeros(second.conjugates);
-    // NOTE: the derivatives of a function with a kink are constant on both sides of it, and not
-    // one. And where one block is not constant, what the others are is of no use.
+    // NOTE: the derivatives of a function with a kink may be constant on both sides of it, with two
+    // values. Where one block is not constant, constants in the others are of no use.
     static_cast<void>(!has_kinks(graph, by_y) && settle(graph, second.conjugates) &&
                       !has_kinks(graph, by_q) && settle(graph, second.mixed) &&
                       settle(graph, second.qq));
@@ -210,7 +212,7 @@ Structure structure(System& system) {
     return found;
 }
 
-/// NOTE: no step for an L, or of rotations, takes anything of the structure.
+/// NOTE: no step for an L, or of rotations, uses the structure.
 System with_structure_of_term(System system) {
     system.second = hessian(system);
     if (system.side == Side::hamiltonian && rotations_of(system) == 0) {

@@ -1,4 +1,4 @@
-// Second derivatives, and what a Hamiltonian is made of, as far as that is proved.
+// Second derivatives, and the structure of a Hamiltonian as far as it is proved.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -6,8 +6,9 @@
 
 namespace hvi::gen {
 
-/// The system with its second derivatives, and with its structure: of an L or of rotations that is
-/// none. Precondition: its slopes are there, and where sums have loops the Sites of a lattice.
+/// Returns the system with its second derivatives, and with its structure, which is empty for an L
+/// or for rotations. Precondition: its slopes are there, and where sums have loops the Sites of a
+/// lattice.
 [[nodiscard]] System with_structure(System system);
 
 }  // namespace hvi::gen

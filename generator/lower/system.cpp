@@ -32,7 +32,7 @@ System passed(System system, const std::vector<SystemPass>& passes) {
     return system;
 }
 
-/// NOTE: no later stage changes the system.
+/// Returns the system with all findings. NOTE: no later stage changes the system.
 System with_all_found(System system) {
     system = passed(std::move(system),
                     {with_energy, with_slopes_through_totals, with_sites, with_structure});

@@ -1,4 +1,4 @@
-// From a Hamiltonian, or a whole scene, to a system, and what is found in it.
+// A system with all findings, from a Hamiltonian or a whole scene.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -14,27 +14,27 @@
 
 namespace hvi::gen {
 
-/// H with all that is found in it. A parameter that has a value is replaced by it; `parameters` are
+/// Returns H with all findings. A parameter that has a value is replaced by it; `parameters` are
 /// the inputs among the others. Throws InputError as lower() does. Preconditions: those of lower().
 [[nodiscard]] System system_of(const Hamiltonian& hamiltonian,
                                const std::vector<std::string>& parameters);
 
-/// A pass that makes another H or L, with its slopes, before anything is found.
+/// A pass that makes another H or L, with its slopes, before the structure is found.
 using SystemPass = std::function<System(System)>;
 
-/// A scene that is written out, after these passes. Of its parameters those of H that have a value
-/// are replaced.
+/// Returns the system of a scene that is written out, after these passes. Parameters of H that have
+/// a value are replaced by it.
 [[nodiscard]] System system_of(const WrittenOutScene& scene,
                                const std::vector<SystemPass>& passes = {});
 
-/// A scene whose sums stay loops, after these passes: for the sizes that it names and, by other
-/// values of these, for any. Its L becomes the H of it before them. Throws InputError for a word
-/// without a meaning and for an index that leaves its range for some value of those of its sums,
-/// NoLoops for what is not built for systems of any size, and MathError for a number that is not
-/// real.
+/// Returns the system of a scene whose sums stay loops, after these passes: for the sizes that it
+/// names and, by other values of these, for any. An L is replaced by its H before the passes.
+/// Throws InputError for a word without a meaning and for an index that leaves its range for some
+/// value of the indices of its sums, NoLoops for parts that are not built for systems of any size,
+/// and MathError for a number that is not real.
 [[nodiscard]] System system_of(const Scene& scene, const std::vector<SystemPass>& passes = {});
 
-/// Properties that are proved of it. Costs of evaluations are those of a system that is written
+/// Return properties that are proved. Costs of evaluations are known for a system that is written
 /// out.
 [[nodiscard]] SystemProperties properties(const System& system);
 [[nodiscard]] SystemProperties properties(const System& system, const GradientKernels& gradients);

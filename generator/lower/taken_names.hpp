@@ -1,4 +1,4 @@
-// Names in a system, for passes that need others.
+// Names in a system, for passes that need new ones.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -9,10 +9,10 @@
 
 namespace hvi::gen {
 
-/// The names of sizes, parameters, families and invariants, and of the indices of all sums.
+/// Returns the names of sizes, parameters, families and invariants, and of the indices of all sums.
 [[nodiscard]] std::set<std::string> taken_names(const System& system);
 
-/// A name that is not taken, and is from now on: this one, with `_` behind it where it has to be.
+/// Returns a name that is not taken, and takes it: `name`, followed by `_` where needed.
 [[nodiscard]] std::string new_name(std::string name, std::set<std::string>& taken);
 
 }  // namespace hvi::gen

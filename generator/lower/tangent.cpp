@@ -28,7 +28,7 @@ using Starts = std::vector<SystemStart>;
 
 class TangentOfSystem {
 public:
-    /// `parameter`: what the motion is differentiated by; nothing where that is its start.
+    /// `parameter`: the motion is differentiated by it; without it, by the initial values.
     explicit TangentOfSystem(System system, std::optional<Node> parameter = {})
         : system_(with_energy(std::move(system))),
           parameter_(parameter),
@@ -57,7 +57,7 @@ private:
     using Sums = std::vector<SystemSum>;
 
     /// Adds the families of directions, `d_x` for x: coordinates (q, dq), and the momenta (dp, p).
-    /// The velocities of an L are (v, dv), as v goes with q.
+    /// For an L the velocities are (v, dv), as v goes with q.
     void add_families() {
         system_.coordinates = joined(system_.coordinates, directions_of(system_.coordinates));
         const Families directions = directions_of(system_.conjugates);
@@ -84,8 +84,8 @@ private:
         return families;
     }
 
-    /// Lets each element of a variable have its direction. NOTE: in the order of the families, as
-    /// a system that is written out has its accesses.
+    /// Adds a direction for each element of a variable. NOTE: in the order of the families, which
+    /// is that of the accesses in a system that is written out.
     void add_accesses() {
         const std::vector<Access> before = std::exchange(system_.accesses, {});
         const auto keep = [&](FamilyKind kind, std::size_t shift) {
@@ -115,14 +115,13 @@ private:
         keep(FamilyKind::table, 0);
     }
 
-    /// NOTE: invariants have totals of their own.
+    /// Keeps the totals of the function. NOTE: invariants have totals of their own.
     void keep_totals_of_function() {
         system_.totals = totals_in(system_, system_.sums);
         std::reverse(system_.totals.begin(), system_.totals.end());
     }
 
-    /// Lets each total have its derivative along the direction, which is a total behind all of
-    /// them.
+    /// Adds the derivative of each total along the direction, as a total behind all of them.
     void add_totals() {
         const std::vector<SystemTotal> before = system_.totals;
         for (const SystemTotal& total : before) {
@@ -136,8 +135,8 @@ private:
         }
     }
 
-    /// The derivatives of sums along the direction. NOTE: those that are zero are left out, but for
-    /// the one of a system that is written out.
+    /// Returns the derivatives of sums along the direction. NOTE: zero sums are left out, except
+    /// the only one of a system that is written out.
     [[nodiscard]] Sums along(const Sums& sums) {
         Sums result;
         for (const SystemSum& sum : sums) {
@@ -148,7 +147,7 @@ private:
         return result;
     }
 
-    /// The derivative of a summand, through totals too.
+    /// Returns the derivative of a summand, through totals too.
     [[nodiscard]] Scaled along(const SystemSum& sum) {
         std::vector<Scaled> terms;
         for (const auto* slopes : {&sum.by_q, &sum.by_conjugates}) {
@@ -169,7 +168,7 @@ private:
         return gradient(system_.graph, value, {*parameter_}).front();
     }
 
-    /// The start of the direction of a family that begins so.
+    /// Returns the initial values of the direction of a family with these initial values.
     [[nodiscard]] SystemStart start_of_direction(const SystemFamily& family,
                                                  const SystemStart& start) {
         if (!parameter_) { return at_zero(family); }
@@ -196,7 +195,7 @@ private:
         return {std::move(all)};
     }
 
-    /// The start of a direction that begins at 0.
+    /// Returns the initial values of a direction that begins at 0.
     [[nodiscard]] SystemStart at_zero(const SystemFamily& family) {
         SystemStart::Rule zero{{}, Graph::number(0)};
         std::set<std::string> taken = taken_;
@@ -206,7 +205,8 @@ private:
         return {std::move(zero)};
     }
 
-    /// NOTE: directions are the second and the third quarter, of an L the second and the last.
+    /// Sets initial values. NOTE: directions are the second and the third quarter; for an L the
+    /// second and the last.
     void set_starts() {
         if (system_.initial.empty()) { return; }
         const Starts before = std::exchange(system_.initial, {});
@@ -227,9 +227,9 @@ private:
 
     System system_;
     std::optional<Node> parameter_;
-    std::size_t n_;  ///< families of coordinates
+    std::size_t n_;  ///< number of families of coordinates
     std::set<std::string> taken_;
-    std::map<std::size_t, Node> directions_;      ///< of the accesses that there were
+    std::map<std::size_t, Node> directions_;  ///< of the accesses of the system without directions
     std::vector<std::pair<Node, Node>> changes_;  ///< totals, and their derivatives
 };
 

@@ -27,7 +27,8 @@ public:
     }
 
 private:
-    /// The derivative of the function by a total: through its sums, and through totals after it.
+    /// Returns the derivative of the function by a total: through its sums, and through later
+    /// totals.
     [[nodiscard]] Scaled derivative(std::size_t k, const std::vector<SystemSum>& sums) {
         SystemTotal by_loops;
         std::vector<Scaled> terms;
@@ -72,7 +73,7 @@ private:
         return result;
     }
 
-    /// The slopes of the sums of a total, times the derivative by it.
+    /// Adds the slopes of the sums of a total, times the derivative by it.
     void add_slopes(std::size_t k) {
         const std::vector<SystemSum> of = system_.totals[k].sums;
         for (const SystemSum& sum : of) {
@@ -97,14 +98,14 @@ private:
     }
 
     System& system_;
-    std::size_t count_;       ///< of the totals that the function is made of
-    std::vector<Scaled> by_;  ///< the derivative by each
+    std::size_t count_;       ///< number of totals that the function depends on
+    std::vector<Scaled> by_;  ///< derivative by each total
 };
 
 }  // namespace
 
 Roles roles_of_total(const Graph& graph, const std::vector<SystemSum>& sums) {
-    // NOTE: it is computed anew for each state, even where it is made of numbers alone.
+    // NOTE: a total is computed anew for each state, even where it depends on numbers alone.
     Roles roles = static_cast<Roles>(Role::index);
     for (const SystemSum& sum : sums) {
         roles |= graph.at(sum.value.node).roles & (of_state | static_cast<Roles>(Role::time));

@@ -5,7 +5,7 @@ namespace hvi::gen {
 
 namespace {
 
-/// (R^T G)_jk = sum_i R_ij G_ik, of a rotation whose entries begin at `first`.
+/// Adds (R^T G)_jk = sum_i R_ij G_ik, of a rotation whose entries begin at `first`.
 void add_terms(std::vector<Scaled>& terms, System& system, const std::vector<Scaled>& by_entries,
                std::size_t first, std::size_t j, std::size_t k, long sign) {
     Graph& graph = system.graph;

@@ -8,10 +8,11 @@
 
 namespace hvi::gen {
 
-/// Derivatives by the degrees of freedom, from derivatives by all coordinates: by numbers as they
-/// are, and of each rotation D_a = sum_ij df/dR_ij (R e_a)_ij, the derivatives of
-/// f(R exp(hat eta)) by eta at 0. With G_ij = df/dR_ij these are the parts of R^T G - G^T R.
-/// Preconditions: the system is written out, and `by_entries` are as many as its coordinates are.
+/// Returns derivatives by the degrees of freedom, from derivatives by all coordinates. Derivatives
+/// by numbers stay. For each rotation they are D_a = sum_ij df/dR_ij (R e_a)_ij, the derivatives of
+/// f(R exp(hat eta)) by eta at 0. With G_ij = df/dR_ij these are the entries of R^T G - G^T R.
+/// Preconditions: the system is written out, and `by_entries` has as many entries as there are
+/// coordinates.
 [[nodiscard]] std::vector<Scaled> by_turns(System& system, const std::vector<Scaled>& by_entries);
 
 }  // namespace hvi::gen

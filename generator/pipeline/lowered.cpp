@@ -14,7 +14,7 @@ namespace hvi::gen {
 LoweredScene lowered_with_loops(const Scene& scene, const UnrollDecision& decision,
                                 const std::vector<SystemPass>& passes) {
     LoweredScene result{scene, decision, std::nullopt, system_of(scene, passes), {}};
-    static_cast<void>(times_of(scene));  // whose words are checked there
+    static_cast<void>(times_of(scene));  // checks their words
     return result;
 }
 

@@ -1,4 +1,4 @@
-// A scene on its way to steppers: what all methods take of it.
+// A scene on its way to steppers, as all methods take it.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -12,7 +12,7 @@
 
 namespace hvi::gen {
 
-/// A scene whose words are checked and that can start, and its system.
+/// A scene with checked words and an initial state, and its system.
 struct LoweredScene {
     Scene scene;
     UnrollDecision unrolling;
@@ -23,8 +23,8 @@ struct LoweredScene {
     [[nodiscard]] Place place() const { return whole(scene.function.source); }  ///< of H or L
 };
 
-/// Throws InputError and MathError for a word without a meaning, a scene that cannot start, an L
-/// whose Legendre transform is not regular, and as system_of() does.
+/// Lowers a scene. Throws InputError and MathError for a word without a meaning, a scene that
+/// cannot start, an L whose Legendre transform is not regular, and as system_of() does.
 [[nodiscard]] LoweredScene lowered(const Scene& scene, const UnrollWish& wish = {});
 
 /// Lowers a scene whose sums stay loops, or are written out, as was decided.

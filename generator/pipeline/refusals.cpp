@@ -36,7 +36,7 @@ void check_lanes(const Step& step, const StepperWishes& wishes) {
                      "without --lanes they are used where they can be");
 }
 
-/// An ensemble, and what is not built for it.
+/// Refuses wishes that are not built for an ensemble.
 void check_ensemble(const Step& step, const StepperWishes& wishes) {
     if (wishes.lanes.choice != Lanes::ensemble) return;
     const std::optional<Place>& place = wishes.lanes.place;
@@ -56,14 +56,14 @@ void check_ensemble(const Step& step, const StepperWishes& wishes) {
                          "compositions are where H = T(p) + U(q), and for midpoint and gauss:S");
 }
 
-/// Whether its equations are solved by Eigen's factors of sparse matrices.
+/// Returns whether its equations are solved by Eigen's factors of sparse matrices.
 bool has_sparse_factors(const Step& step) {
     const auto* velocities = std::get_if<VelocityStep>(&step.form);
     return velocities != nullptr && velocities->iteration.takes_newton() &&
            velocities->hessian == HessianForm::sparse;
 }
 
-/// Steps that vectors of any size do not have.
+/// Refuses steps that vectors of any size do not have.
 void check_vectors(const Step& step, const Method& method, const StepperWishes& wishes,
                    const Place& place) {
     if (wishes.float128 && has_sparse_factors(step)) {

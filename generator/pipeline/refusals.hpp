@@ -1,4 +1,4 @@
-// Refusals of wishes that are not built, with a word why and what would help.
+// Refusals of wishes that are not built, with a reason and what would help.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -11,18 +11,18 @@
 
 namespace hvi::gen {
 
-/// The first wish that loops do not have, as its option, `--dense`; or nothing.
+/// Returns the first wish that loops do not have, as its option, `--dense`; or nothing.
 [[nodiscard]] std::string wish_without_loops(const StepperWishes& wishes);
 
-/// Throws InputError at `place`, that of H, for such a wish.
+/// Throws InputError at `place`, that of H, for a wish that systems of any size do not have.
 void check_wishes_of_any_size(const StepperWishes& wishes, const Place& place);
 
-/// Throws NoLoops at `place`, that of H, where Newton's method may be called for and the system has
+/// Throws NoLoops at `place`, that of H, where a step may need Newton's method and the system has
 /// no second derivatives for it.
 void check_newton(const System& system, const Step& step, const Place& place);
 
-/// Throws InputError for a step that was planned and is not what was wished for, or that its
-/// container does not have. `place` is that of H.
+/// Throws InputError for a step that was planned otherwise than wished for, or that its container
+/// does not have. `place` is that of H.
 void check_step(const Step& step, const Method& method, const StepperWishes& wishes,
                 const Place& place);
 

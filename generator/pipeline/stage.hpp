@@ -1,4 +1,4 @@
-// The records on the way to a header, as texts.
+// Records on the way to a header, as texts.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -9,11 +9,12 @@
 
 namespace hvi::gen {
 
-/// What `hvi-gen stepper --dump` prints: the record as it was handed on.
+/// Returns the text that `hvi-gen stepper --dump` prints: the record as it was handed on.
 [[nodiscard]] std::string dump(const Method& method, const SceneStepper& stepper,
                                const Wish<Stage>& stage);
 
-/// The same. Throws InputError for the system, which the user's class is.
+/// Returns the text for a class of the user. Throws InputError for the system, which the user's
+/// class is.
 [[nodiscard]] std::string dump(const Method& method, const MethodStepper& stepper,
                                const Wish<Stage>& stage);
 

@@ -16,18 +16,20 @@ namespace hvi::gen {
 
 namespace {
 
-/// The command that writes the same header again, wherever to.
+/// Returns the command that writes the same header again, to any place.
 std::string command(const OneStepMethod& method, const StepperWishes& wishes) {
     return "hvi-gen stepper " + method.provenance().origin + options_for(wishes);
 }
 
-/// Whether (4.6e) has to determine the P from the V. NOTE: rows of zeros are left to the plan.
+/// Returns whether (4.6e) has to determine the P from the V. NOTE: rows of zeros are left to the
+/// plan.
 bool is_overdetermined(const OneStepMethod& method, const System& system) {
     return std::holds_alternative<GalerkinRule>(method.base) && system.side == Side::hamiltonian &&
            !is_degenerate(hessian_of(system));
 }
 
-/// NOTE: a step of kicks and drifts keeps the slopes of its drifts, and the curve is one of kicks.
+/// Refuses a curve that the step cannot have. NOTE: a step of kicks and drifts keeps the slopes of
+/// its drifts, and the curve is one of kicks.
 void check_curve(const Step& step, const std::optional<Curve>& curve, const Method& method) {
     const bool is_of_kicks =
         curve && curve->of_forces && std::holds_alternative<PairStep>(step.form);
@@ -61,8 +63,8 @@ MethodAndCurve derived(const Method& method, const StepperWishes& wishes) {
     return result;
 }
 
-/// The method with q and p exchanged: where it is explicit it begins with a drift, not with a kick.
-/// NOTE: in logarithmic time Stormer-Verlet follows Kepler's ellipse so, and not the other way.
+/// Returns the method with q and p exchanged: where it is explicit it begins with a drift, not with
+/// a kick. NOTE: in logarithmic time Stormer-Verlet follows Kepler's ellipse in this order only.
 OneStepMethod exchanged(OneStepMethod method) {
     auto* tableau = std::get_if<Tableau>(&method.base);
     if (tableau == nullptr) return method;
@@ -93,16 +95,16 @@ SceneWishes members_of(const StepperWishes& wishes) {
             .action = wishes.action};
 }
 
-/// Members of the class of the scene. NOTE: with loops the energy and invariants are among those of
-/// every one.
+/// Returns the members of the class of the scene. NOTE: with loops each class has the energy and
+/// invariants.
 SceneWishes members_of(const StepperWishes& wishes, const LoweredScene& scene) {
     SceneWishes members = members_of(wishes);
     if (!scene.written) { members.energy = members.invariants = true; }
     return members;
 }
 
-/// Throws InputError for members that no class can have, and for wishes that the scene does not go
-/// with.
+/// Throws InputError for members that no class can have, and for wishes that the scene does not
+/// allow.
 void check_wishes(const LoweredScene& scene, const StepperWishes& wishes) {
     check_own_names(scene.scene.own);
     if (wishes.action) { refuse_rotations(scene.scene, "--action"); }
@@ -116,7 +118,7 @@ void check_wishes(const LoweredScene& scene, const StepperWishes& wishes) {
     }
 }
 
-/// The way from a system to a header.
+/// Plans a step of a lowered scene, and collects all that its header needs.
 SceneStepper stepper_of(const Method& wished, MethodAndCurve derived, const LoweredScene& scene,
                         const StepperWishes& wishes) {
     auto& [method, curve] = derived;

@@ -9,11 +9,11 @@
 
 namespace hvi::gen {
 
-/// Throws MathError for rotations: the general Galerkin form has none.
+/// Throws MathError for rotations, which the general Galerkin form does not have.
 void check_no_rotations(const std::optional<Place>& place, const SystemProperties& system);
 
-/// All stages are solved for at once, whatever zeros the tables have: the momentum of a chart at
-/// the start of the step is known when its end is. Precondition: the stages are set.
+/// Makes one block of all stages, whatever zeros the tables have: the momentum of a chart at the
+/// start of the step is known when its end is. Precondition: the stages are set.
 void set_charts(Step& step);
 
 }  // namespace hvi::gen

@@ -7,25 +7,26 @@ namespace hvi::gen {
 
 namespace {
 
-/// Where an iteration waits for a sum over the stages, in operations.
+/// Cost of waiting for a sum over the stages, in operations.
 constexpr double wait = 16;
 
-/// How many registers so many numbers side by side take. NOTE: of four, on every machine, as costs
-/// decide how a step is solved.
+/// Returns how many registers so many numbers side by side take. NOTE: registers of four, on every
+/// machine, as costs decide how a step is solved.
 double registers(double lanes) { return std::ceil(lanes / 4); }
 
-/// Changes of corrections, component by component.
+/// Returns the cost of judging the changes of corrections, component by component.
 double judged(double stages, double unknowns) { return 8 * unknowns * registers(stages); }
 
-/// How a correction goes, see ModeLanes of the runtime: slopes to the basis of modes and back, and
-/// between them products of complex matrices in half as many lanes as there are stages.
+/// Returns the cost of a correction, see ModeLanes of the runtime: slopes go to the basis of modes
+/// and back, and between them are products of complex matrices in half as many lanes as there are
+/// stages.
 double cost_of_correction(double stages, double unknowns) {
     const double to_and_from = 2 * stages * unknowns * registers(stages);
     const double inverse = 4 * unknowns * unknowns * registers(stages / 2);
     return to_and_from + inverse + judged(stages, unknowns) + 4 * wait;
 }
 
-/// 0 where there is none.
+/// Returns the cost of the linear part; 0 where there is none.
 double cost_of_linear_part(const LinearPart& linear, double stages, double unknowns) {
     if (std::holds_alternative<CoupledConstants>(linear)) {
         return cost_of_correction(stages, unknowns);
@@ -49,10 +50,10 @@ double cost_of_slopes(const Step& step, const EvaluationCosts& costs) {
 }  // namespace
 
 /// NOTE: iterations of gauss:8 with a joint gradient, and with each slope used at once:
-/// nonseparable, h = 0.35, 18.1 and 18.4; point-vortices, h = 0.1, 4.1 and 3.8; double-pendulum,
-/// h = 0.1, 12.4 and 8.5. Where slopes are used at once, P moves between dH/dp and dH/dq but Q does
-/// not move between dH/dq and the next dH/dp, so that what depends on q alone is shared; and the
-/// sums of the stages are waited for twice, not once.
+/// nonseparable, h = 0.35, 18.1 and 18.4; point-vortices, h = 0.1, 4.1 and 3.8; double-pendulum, h
+/// = 0.1, 12.4 and 8.5. Where slopes are used at once, P moves between dH/dp and dH/dq, but Q does
+/// not move between dH/dq and the next dH/dp. So values that depend on q alone are shared. And an
+/// iteration waits for the sums of the stages twice, not once.
 bool joint_gradient_pays(const EvaluationCosts& costs) {
     constexpr double more_iterations = 1.4;
     const double jointly = costs.joint + wait;
@@ -61,7 +62,7 @@ bool joint_gradient_pays(const EvaluationCosts& costs) {
 }
 
 double operations_of_a_sweep(const Step& step, const SystemProperties& system) {
-    // A sum of s products for each component, its change, and what is scaled.
+    // A sum of s products for each component, its change, and scaling.
     const auto s = static_cast<double>(step.positions.size());
     return unknowns_of(step, system) * (s + 8) + cost_of_slopes(step, system.costs);
 }
@@ -79,7 +80,7 @@ SolverCosts solver_costs(const Step& step, const SystemProperties& system) {
     const double sweep =
         registers(s) * operations_of_a_sweep(step, system) + (waits_twice ? 2 * wait : wait);
     const double correction = sweep + cost_of_correction(s, unknowns);
-    // Row by row and number by number, whose loads and stores take longer than what they wait for.
+    // Row by row and number by number: loads and stores take longer than the operations on them.
     const double factors =
         system.costs.second + 8 * unknowns * unknowns * (unknowns + 4) + 3 * wait;
     const auto rounded = [](double cost) { return static_cast<int>(std::lround(cost)); };

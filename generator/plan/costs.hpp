@@ -1,4 +1,4 @@
-// What a step costs, before it is written.
+// Costs of a step, before it is written.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -7,14 +7,14 @@
 
 namespace hvi::gen {
 
-/// Whether a fixed-point iteration of coupled stages is likely to cost less when it evaluates both
-/// gradients at the same q and p than when it uses each new slope at once.
+/// Returns whether a fixed-point iteration of coupled stages is likely to cost less when it
+/// evaluates both gradients at the same q and p than when it uses each new slope at once.
 [[nodiscard]] bool joint_gradient_pays(const EvaluationCosts& costs);
 
-/// On each register of stages in lanes.
+/// Returns the operations on each register of stages in lanes.
 [[nodiscard]] double operations_of_a_sweep(const Step& step, const SystemProperties& system);
 
-/// Of stages in lanes. Precondition: the step has them.
+/// Returns the costs of solvers for stages in lanes. Precondition: the step has them.
 [[nodiscard]] SolverCosts solver_costs(const Step& step, const SystemProperties& system);
 
 }  // namespace hvi::gen

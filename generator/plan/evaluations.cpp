@@ -23,7 +23,7 @@ BlockKernel block(const Graph& graph, const HessianBlock& entries, bool is_symme
     return result;
 }
 
-/// The blocks that Newton's method takes, or their constant terms.
+/// Returns the blocks for Newton's method, or their constant terms.
 SecondDerivatives blocks(const System& system, const Hessian& hessian, const Step& step) {
     const Graph& graph = system.graph;
     SecondDerivatives result;
@@ -54,7 +54,7 @@ void add_linear_part(Evaluations& evaluations, const System& system, const Step&
     evaluations.stiffness = kernel(system.graph, std::move(values));
 }
 
-/// dH/dq, then these.
+/// Returns a kernel of dH/dq, followed by these nodes.
 Kernel force_and(const System& system, const std::vector<Node>& kept) {
     std::vector<Scaled> values = by_coordinates(system);
     for (const Node node : kept) { values.push_back({{1, 1}, node}); }

@@ -26,7 +26,8 @@ std::vector<T> nodes_behind(const std::vector<T>& c, const std::vector<T>& sizes
     return nodes;
 }
 
-/// f(c_i) = sum_j l_j(c_i) f_j of the polynomial through the f_j at the nodes: l_j(c_i).
+/// Returns l_j(c_i), by which the polynomial through the f_j at the nodes is f(c_i) = sum_j
+/// l_j(c_i) f_j.
 template <class T>
 Matrix<T> interpolation(const std::vector<T>& c, const std::vector<T>& nodes) {
     Matrix<T> values(c.size(), std::vector<T>(nodes.size(), T(1)));
@@ -41,8 +42,8 @@ Matrix<T> interpolation(const std::vector<T>& c, const std::vector<T>& nodes) {
     return values;
 }
 
-/// The same of the polynomial of this degree that is nearest to the f_j, by least squares:
-/// sum_k pi_k(c_i) pi_k(node_j)/|pi_k|^2, of polynomials that are orthogonal on the nodes
+/// Returns the table of the polynomial of this degree that is nearest to the f_j, by least squares:
+/// sum_k pi_k(c_i) pi_k(node_j)/|pi_k|^2, with polynomials that are orthogonal on the nodes
 /// (Gautschi, Orthogonal Polynomials, Section 2.2.3.1).
 template <class T>
 Matrix<T> least_squares(const std::vector<T>& c, const std::vector<T>& nodes, std::size_t degree) {
@@ -78,7 +79,7 @@ Matrix<T> least_squares(const std::vector<T>& c, const std::vector<T>& nodes, st
     }
 }
 
-/// A table for each step, from L = h b f to L.
+/// Returns a table for each step, from L = h b f to L.
 template <class T>
 std::vector<Matrix<T>> tables(const std::vector<T>& c, const std::vector<T>& b,
                               const std::vector<T>& sizes, std::size_t degree) {
@@ -140,7 +141,7 @@ double magnification(const Quadrature& rule, const SlopePolynomial& polynomial) 
         for (const Matrix<double>& of_step : N) {
             for (const double entry : of_step[i]) { sum += std::abs(entry); }
         }
-        // Of nodes that are one in doubles there is no number.
+        // Nodes that are equal in doubles give no finite number.
         if (!std::isfinite(sum)) { return std::numeric_limits<double>::infinity(); }
         largest = std::max(largest, sum);
     }

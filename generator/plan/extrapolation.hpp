@@ -1,4 +1,4 @@
-// From the slopes of the last steps to those of the next one.
+// Extrapolation of slopes from the last steps to the next one.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -14,10 +14,10 @@ struct Quadrature {
     NumberVector c, b;
 };
 
-/// A polynomial near to the slopes of the last steps, by least squares; through them where its
-/// degree is one less than there are.
+/// A polynomial near to the slopes of the last steps, by least squares. It goes through them where
+/// its degree is one less than their number.
 struct SlopePolynomial {
-    NumberVector sizes;  ///< of these steps, the last one first, where that of the next one is 1
+    NumberVector sizes;  ///< sizes of these steps, the last one first; the next one has size 1
     std::size_t degree = 0;
 
     [[nodiscard]] bool is_through_all(const Quadrature& rule) const {
@@ -25,22 +25,22 @@ struct SlopePolynomial {
     }
 };
 
-/// The c_j of the steps behind, as the next one counts its time: first those of the last.
+/// Returns the c_j of earlier steps in the time of the next one, those of the last step first.
 [[nodiscard]] NumberVector nodes_behind(const Quadrature& rule, const NumberVector& sizes);
 
-/// The N of each of the steps, that of the last one first: L_i = h b_i f_i of the next step is the
-/// sum of N_ij L_j over the stages and the steps. Precondition: the nodes of the steps are
+/// Returns the N of each of the steps, that of the last one first: L_i = h b_i f_i of the next step
+/// is the sum of N_ij L_j over the stages and the steps. Precondition: the nodes of the steps are
 /// distinct.
 [[nodiscard]] std::vector<NumberMatrix> extrapolation(const Quadrature& rule,
                                                       const SlopePolynomial& polynomial);
 
-/// The same, computed in doubles: for steps in a row each would have exact numbers of hundreds of
-/// digits, of which a header has the first sixteen.
+/// Returns the N, computed in doubles: for steps in a row the exact N would have numbers of
+/// hundreds of digits, of which a header takes the first sixteen.
 [[nodiscard]] std::vector<NumberMatrix> extrapolation_in_doubles(const Quadrature& rule,
                                                                  const SlopePolynomial& polynomial);
 
-/// How much that may magnify rounding: the largest sum of |N_ij| over j and the steps. In doubles,
-/// since for many stages the exact N is costly and then of no use.
+/// Returns how much the N may magnify rounding: the largest sum of |N_ij| over j and the steps.
+/// Computed in doubles, since for many stages the exact N is costly and then of no use.
 [[nodiscard]] double magnification(const Quadrature& rule, const SlopePolynomial& polynomial);
 
 }  // namespace hvi::gen

@@ -9,7 +9,7 @@ namespace hvi::gen {
 
 namespace {
 
-/// `1 addition`, `7 multiplications`.
+/// Returns `1 addition`, `7 multiplications`.
 std::string counted(std::size_t count, std::string_view thing) {
     return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
 }
@@ -36,7 +36,7 @@ std::string text(const SolverCosts& costs) {
         costs.sweep, linear, costs.correction, costs.factors);
 }
 
-/// Of L = v^T M v/2 + a v - U.
+/// Returns the kind of L = v^T M v/2 + a v - U.
 std::string kind_of_lagrangian(const System& system) {
     for (const std::vector<Scaled>& row : hessian_of(system).conjugates) {
         for (const Scaled& entry : row) {
@@ -91,12 +91,12 @@ Entries entries(const Graph& graph, const Hessian& hessian) {
     };
     look(hessian.qq);
     look(hessian.mixed);
-    look(hessian.mixed);  // its transpose
+    look(hessian.mixed);  // and its transpose
     look(hessian.conjugates);
     return result;
 }
 
-/// See LinearMap and LinearIncrements of the runtime.
+/// Returns the cost of a linear map; see LinearMap and LinearIncrements of the runtime.
 std::string cost_of_map(std::size_t n, bool is_sheared, bool has_offset) {
     const std::size_t multiplications = (is_sheared ? 3 : 12) * n * n;
     const std::size_t additions =
@@ -105,7 +105,7 @@ std::string cost_of_map(std::size_t n, bool is_sheared, bool has_offset) {
                        counted(additions, "addition"));
 }
 
-/// Sums with loops, and what is found in these.
+/// Returns facts about sums with loops.
 std::vector<std::string> facts_of_loops(const System& system) {
     std::vector<std::string> result{kind_of(system)};
     if (system.is_transformed) {
@@ -134,7 +134,7 @@ std::vector<std::string> facts_of_loops(const System& system) {
     return result;
 }
 
-/// The function that takes the place of H, and what its last variables are.
+/// Returns the function in place of H, and the meaning of its last variables.
 std::vector<std::string> facts_of_scaled_time(const System& system) {
     return {fmt::format("time is scaled: it is the coordinate {}, and its momentum {} begins as -H",
                         system.coordinates.back().name, system.conjugates.back().name),

@@ -1,4 +1,4 @@
-// What was found in a Hamiltonian, and what a step of a step costs, in words.
+// Facts about a Hamiltonian, and costs of a step, in words.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -11,10 +11,11 @@
 
 namespace hvi::gen {
 
-/// One line each, without a full stop: what is proved of H.
+/// Returns the proved properties of H, one line each, without a full stop.
 [[nodiscard]] std::vector<std::string> facts(const System& system);
 
-/// The same of the work: unknowns, evaluations and the operations of their kernels.
+/// Returns the work of a step, one line each: unknowns, evaluations and the operations of their
+/// kernels.
 [[nodiscard]] std::vector<std::string> costs(const System& system, const Step& step,
                                              const Evaluations& evaluations);
 

@@ -32,7 +32,7 @@ std::string text(const ZeroPlaces& zeros, const std::string& parameter) {
                        ParametricNumbers::most_printed);
 }
 
-/// Where there is no method.
+/// Notes the parameter values at which there is no method.
 void note_zeros(Step& step) {
     const ParametricNumbers& numbers = step.from_parameter->numbers;
     const auto what = [](Zero zero) {
@@ -53,7 +53,7 @@ bool depend(const NumberVector& numbers) {
                        [](const Number& number) { return number.has_parameters(); });
 }
 
-/// Where the numbers of a step that depend on a parameter stand among `others`.
+/// Returns the places among `others` of the numbers of a step that depend on a parameter.
 FromParameter places(const Step& step, const Tableau& tableau, NumberVector& others) {
     const auto other = [&](const Number& number) {
         others.push_back(number);

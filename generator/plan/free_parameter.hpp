@@ -1,4 +1,4 @@
-// What of a step depends on a free parameter of its method.
+// Parts of a step that depend on a free parameter of its method.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -11,13 +11,13 @@
 
 namespace hvi::gen {
 
-/// Throws InputError for one.
+/// Throws InputError where the method has a free parameter.
 void check_no_parameter(const OneStepMethod& method);
 
-/// Sets Step::from_parameter where coefficients depend on one, and says at which values there is no
-/// method; where it cancels, that there is no argument for it. Throws InputError, at the place of
-/// the method where there is no other, as parametric() does. Precondition: stages, m and times are
-/// set.
+/// Sets Step::from_parameter where coefficients depend on a parameter, and notes the values at
+/// which there is no method. Where the parameter cancels, it notes that there is no argument for
+/// it. Throws InputError as parametric() does, at the place of the method where there is no other.
+/// Precondition: stages, m and times are set.
 void set_from_parameter(Step& step, const Tableau& tableau, const std::optional<Place>& method);
 
 }  // namespace hvi::gen

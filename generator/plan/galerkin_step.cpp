@@ -18,7 +18,7 @@ void note_unused_nodes(Step& step, const OneStepMethod& method) {
     }
 }
 
-/// All of it at once.
+/// Makes one block of all unknowns.
 void set_stages(Step& step, const GalerkinForm& form) {
     Block all{true, {}};
     for (const StageNode::Kind kind :
@@ -32,7 +32,7 @@ void set_stages(Step& step, const GalerkinForm& form) {
     step.m.resize(form.nodes());
 }
 
-/// Why no momenta are eliminated.
+/// Returns the reason why no momenta are eliminated.
 std::string why_both(const SystemProperties& system, const StepWishes& wishes) {
     if (!system.kinetic_is_quadratic) {
         return "d2H/dp2 is not seen to be constant, so that neither can be eliminated";

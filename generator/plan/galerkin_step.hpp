@@ -9,15 +9,16 @@
 
 namespace hvi::gen {
 
-/// The nodes, with their weights, and all of it at once: as one block.
+/// Sets the nodes, with their weights, and one block of all unknowns.
 void set_nodes(Step& step, const OneStepMethod& method, const GalerkinForm& form);
 
-/// gamma_1, ..., gamma_k of a composition, and what the decisions say of it; nothing without one.
+/// Return gamma_1, ..., gamma_k of a composition, and note it among the decisions; nothing without
+/// a composition.
 [[nodiscard]] NumberVector steps_in_a_row(const OneStepMethod& method);
 void note_composition(Step& step, const OneStepMethod& method);
 
-/// Sets what the step is made of, but for its solver: the velocities of the curve and the momenta
-/// at the nodes, solved for at once. Precondition: no free parameter.
+/// Sets the step, except its solver: the velocities of the curve and the momenta at the nodes,
+/// solved for at once. Precondition: no free parameter.
 void set_galerkin(Step& step, const OneStepMethod& method, const SystemProperties& system,
                   const StepWishes& wishes);
 

@@ -18,7 +18,7 @@ StageValue::Place place_of(const Number& c) {
     return equal(c, 1) ? StageValue::Place::end : StageValue::Place::inner;
 }
 
-/// The positions with their weights; returns their nodes, as indices of the rule.
+/// Sets the positions with their weights. Returns their nodes, as indices of the rule.
 std::vector<std::size_t> set_positions(Step& step, const GalerkinRule& rule) {
     std::vector<std::size_t> used;
     for (std::size_t i = 0; i < rule.nodes(); ++i) {
@@ -43,7 +43,8 @@ VelocityForm form_of(const GalerkinRule& rule, const std::vector<std::size_t>& u
     return form;
 }
 
-/// From the first to the last block that is solved for, as one: the runtime solves for one.
+/// Returns the blocks with one in place of all from the first to the last block that is solved for,
+/// as the runtime solves for one.
 std::vector<Block> with_one_coupled(std::vector<Block> blocks) {
     const auto is_coupled = [](const Block& block) { return block.coupled; };
     const auto first = std::find_if(blocks.begin(), blocks.end(), is_coupled);
@@ -59,7 +60,7 @@ std::vector<Block> with_one_coupled(std::vector<Block> blocks) {
     return blocks;
 }
 
-/// The times at which something is kicked, each once, ascending, from 0 to 1.
+/// Returns the times of kicks, each once, ascending, from 0 to 1.
 NumberVector times_of_kicks(const NumberVector& c) {
     NumberVector times{Number(0), Number(1)};
     for (const Number& node : c) {
@@ -71,8 +72,8 @@ NumberVector times_of_kicks(const NumberVector& c) {
     return times;
 }
 
-/// n_ij is c_i - c_j or 0: between kicks at the times c_i the motion is free. Drifts are from one
-/// of these times to the next.
+/// Sets an explicit step: n_ij is c_i - c_j or 0, so that the motion is free between kicks at the
+/// times c_i. Drifts are from one of these times to the next.
 void set_explicit(Step& step, const NumberVector& c) {
     const NumberVector times = times_of_kicks(c);
     for (std::size_t j = 0; j + 1 < times.size(); ++j) {

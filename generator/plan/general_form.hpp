@@ -12,12 +12,12 @@
 
 namespace hvi::gen {
 
-/// Throws MathError for H of which some row of d2H/dp2 is zero, and InputError for that of a class
-/// of the user.
+/// Throws MathError for H with a row of d2H/dp2 that is zero, and InputError for that of a class of
+/// the user.
 void check_general_form(const std::optional<Place>& place, const SystemProperties& system);
 
-/// Sets what the step is made of, for H = p^T K p/2 + U(q): positions alone that are solved for, or
-/// kicks and drifts where none depends on itself. Nodes without a weight are left out: no slope is
+/// Sets the step for H = p^T K p/2 + U(q): positions alone are solved for, or there are kicks and
+/// drifts where no position depends on itself. Nodes without a weight are left out: no slope is
 /// taken there. Returns the others.
 [[nodiscard]] Quadrature set_rule(Step& step, const GalerkinRule& rule);
 

@@ -14,14 +14,15 @@ namespace {
 constexpr auto of_curves = "the velocities of the curve are solved for";
 constexpr auto of_charts = "rotations move in charts, one stage after the other";
 
-/// NOTE: two equal stages are one, and have another weight in Q than in P.
+/// Returns whether all values are solved for. NOTE: two equal stages are one, and have another
+/// weight in Q than in P.
 bool all_are_solved_for(const std::vector<StageValue>& values) {
     return std::all_of(values.begin(), values.end(), [](const StageValue& value) {
         return value.place == StageValue::Place::inner && value.stages.size() == 1;
     });
 }
 
-/// Why the stages cannot all be the unknowns of one iteration.
+/// Returns the reason why the stages cannot all be the unknowns of one iteration.
 std::string obstacle_in_stages(const Step& step) {
     if (step.blocks.size() > 1) { return "the stages are not solved for all at once"; }
     const bool are_unknowns =
@@ -29,13 +30,13 @@ std::string obstacle_in_stages(const Step& step) {
     return are_unknowns ? "" : "some stages are equal, or the state itself";
 }
 
-/// Whether iterations wait for what they need more than they compute.
+/// Returns whether iterations wait for operands more than they compute.
 ///
 /// NOTE: measured with AVX-512, gauss:8, registers of 4 against those of 8: Kepler 0.76 of the
 /// time, Henon-Heiles 0.88, nonseparable 0.94, point vortices 0.98, FPU 1.09, pendulum 1.07, double
-/// pendulum 1.3, outer solar system 1.07. One of 8 is later than two of 4, one after the other, in
-/// sums, quotients and square roots; where there is much to compute, or a function of many sums and
-/// products, two of 4 take twice as many instructions.
+/// pendulum 1.3, outer solar system 1.07. One register of 8 is later than two of 4, one after the
+/// other, in sums, quotients and square roots. Where there is much to compute, or a function of
+/// many sums and products, two of 4 take twice as many instructions.
 bool waits_for_sums(const Step& step, const SystemProperties& system) {
     constexpr std::size_t wide = 4;
     constexpr double little = 80;

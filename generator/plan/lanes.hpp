@@ -1,4 +1,4 @@
-// What is computed side by side.
+// Computation side by side.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -6,15 +6,15 @@
 
 namespace hvi::gen {
 
-/// Why the stages of a step for a scene cannot be computed side by side; empty where they can.
+/// Returns the reason why the stages of a step for a scene cannot be computed side by side; empty
+/// where they can.
 [[nodiscard]] std::string obstacle_to_stage_lanes(const Step& step);
 
-/// Why trajectories cannot; empty where they can.
+/// Returns the reason why trajectories cannot be computed side by side; empty where they can.
 [[nodiscard]] std::string obstacle_to_ensemble(const Step& step);
 
-/// Decides it from what is wished for and what can be had; see the obstacles. Of vectors of any
-/// size that are components, where positions alone are solved for. Precondition: the solver is
-/// decided.
+/// Decides what lanes hold, by the wish and the obstacles. In vectors of any size they hold
+/// components, where positions alone are solved for. Precondition: the solver is decided.
 void set_lanes(Step& step, Lanes wished, const SystemProperties& system);
 
 }  // namespace hvi::gen

@@ -11,7 +11,8 @@ namespace {
 
 const Dyadic one(1, 0);
 
-/// The power of two of the leading bit, once rounded to the format: no number is smaller than zero.
+/// Returns the power of two of the leading bit, once rounded to the format. That of zero is below
+/// all others.
 int magnitude(const Dyadic& value) {
     constexpr int of_zero = -100'000;
     return value.is_zero() ? of_zero : value.leading();
@@ -62,7 +63,7 @@ RoundedCoefficients rounded(const Step& step) {
 
 namespace {
 
-/// Rounds to multiples of 2^ulp, and says whether the results have no more bits than the format.
+/// Rounds to multiples of 2^ulp. Returns whether the results have no more bits than the format.
 bool round_in_format(RoundedVelocityForm& result, const VelocityForm& form, std::size_t f,
                      int ulp) {
     bool fits = true;
@@ -154,7 +155,7 @@ Column column(const GalerkinForm& form, std::size_t j, int ulp) {
     return result;
 }
 
-/// Above the power of two of the leading bit of all entries, as far as that counts.
+/// Returns a power of two above the leading bits of all entries, as far as that counts.
 int magnitude_of_column(const GalerkinForm& form, std::size_t j) {
     constexpr int least = -40;
     int most = least;

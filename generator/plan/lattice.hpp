@@ -12,14 +12,14 @@ namespace hvi::gen {
 /// and where m_ij depends on a parameter.
 [[nodiscard]] RoundedCoefficients rounded(const Step& step);
 
-/// Rounds c and the n_ij with i >= j to multiples of one power of two, the least with which these,
-/// 1 - c_i and n_ji = n_ij - (c_i - c_j) are numbers of the format. A zero stays one.
+/// Rounds c and the n_ij with i >= j to multiples of one power of two. It is the least one for
+/// which these, 1 - c_i and n_ji = n_ij - (c_i - c_j) are numbers of the format. A zero stays one.
 [[nodiscard]] RoundedVelocityForm rounded(const VelocityForm& form);
 
-/// Rounds B_j, A_ij and X_ij = b_i phi_ij to multiples of one power of two for each j, the least
-/// with which these, D_ij = B_j - A_ij and the sum of the |X_ij| are numbers of the format. What
-/// the sum of the X_ij then misses of B_j goes to the largest of them, and to its mirror image
-/// where they have one, so that a symmetric rule stays so.
+/// Rounds B_j, A_ij and X_ij = b_i phi_ij to multiples of one power of two for each j. It is the
+/// least one for which these, D_ij = B_j - A_ij and the sum of the |X_ij| are numbers of the
+/// format. The difference between B_j and the sum of the X_ij goes to the largest X_ij, and to its
+/// mirror image where the rule is symmetric, so that it stays so.
 [[nodiscard]] RoundedGalerkinForm rounded(const GalerkinForm& form);
 
 }  // namespace hvi::gen

@@ -50,7 +50,7 @@ NumberMatrix transposed(const NumberMatrix& a) {
     return result;
 }
 
-/// One value for each distinct row, in the order of their first stages.
+/// Returns one value for each distinct row, in the order of their first stages.
 std::vector<StageValue> distinct(const NumberMatrix& rows, const NumberVector& weights) {
     std::vector<StageValue> values;
     for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -65,7 +65,7 @@ std::vector<StageValue> distinct(const NumberMatrix& rows, const NumberVector& w
     return values;
 }
 
-/// Each stage on its own.
+/// Returns one value for each stage.
 std::vector<StageValue> separate(const NumberVector& weights) {
     std::vector<StageValue> values(weights.size());
     for (std::size_t i = 0; i < weights.size(); ++i) {
@@ -114,8 +114,8 @@ Place place_of(const NumberVector& row, bool ones_are_end) {
     return Place::inner;
 }
 
-/// A row of zeros in m is Q_i = q, of ones the next q; with mt_ji = 1 - m_ij a column of ones is
-/// P_j = p, of zeros the next p.
+/// Sets the places of stages. A row of zeros in m is Q_i = q, of ones the next q; with mt_ji = 1 -
+/// m_ij a column of ones is P_j = p, of zeros the next p.
 void set_places(Step& step) {
     for (std::size_t i = 0; i < step.positions.size(); ++i) {
         step.positions[i].place = place_of(step.m[i], true);
@@ -138,8 +138,8 @@ void set_places(Step& step) {
     for (const StageValue& value : step.momenta) { note("P", "p", value); }
 }
 
-/// Which stages of a step need which slopes, where that is not disproved: Q_i needs Lq_j unless
-/// m_ij = 0, and P_j needs Lp_i unless m~_ji = 1 - m_ij = 0.
+/// Returns which stages of a step need which slopes, where that is not disproved: Q_i needs Lq_j
+/// unless m_ij = 0, and P_j needs Lp_i unless m~_ji = 1 - m_ij = 0.
 StagePattern pattern(const Step& step) {
     StagePattern result;
     result.slopes = slopes_of_all(step.is_separable());
@@ -168,13 +168,13 @@ void set_blocks(Step& step) {
     }
 }
 
-/// How an explicit step sums.
+/// Sets how an explicit step sums.
 ///
 /// NOTE: measured in double, against the same steps in more bits. Over 200 000 steps of Kepler's
 /// problem, stormer-verlet is off by 2e-3 and rounding adds 1e-11 to that; compensated sums would
-/// bring it to 4e-14 and cost a fifth, on six bodies three fifths. For a step of yoshida:6,
-/// blanes-moan:6 and kahan-li:8 they cost 6 % or less, and rounding falls from 1e-11 to 4e-13 where
-/// kahan-li:8 is off by 5e-11.
+/// bring the rounding to 4e-14 and cost a fifth, on six bodies three fifths. For a step of
+/// yoshida:6, blanes-moan:6 and kahan-li:8 they cost 6 % or less, and rounding falls from 1e-11 to
+/// 4e-13 where kahan-li:8 is off by 5e-11.
 void set_sums(Step& step, const OneStepMethod& method, const StepWishes& wishes) {
     constexpr int least_order = 6;
     if (!step.is_explicit()) { return; }
@@ -202,7 +202,7 @@ bool has(const std::vector<StageValue>& values, Place place) {
     return false;
 }
 
-/// First same as last.
+/// Sets the slopes that are kept: the first of a step is the last of the step before.
 void set_kept(Step& step) {
     if (!step.is_separable()) { return; }
     step.kept.force = has(step.positions, Place::start) && has(step.positions, Place::end);
@@ -222,10 +222,10 @@ void set_times(Step& step, NumberVector c) {
     step.decisions.push_back({"the state has a time", "H depends on it"});
 }
 
-/// Whether a system of so many unknowns for each degree of freedom is solved for the map of one
-/// step, which is linear; where it is not, the decisions say why.
+/// Returns whether the map of one step, which is linear, is computed by solving a system with so
+/// many unknowns for each degree of freedom. Where it is not, the decisions say why.
 ///
-/// NOTE: to compute the matrix costs the cube of the number of unknowns, in numbers of twice the
+/// NOTE: computing the matrix costs the cube of the number of unknowns, in numbers of twice the
 /// digits: 64 take some milliseconds.
 bool is_tabulated(Step& step, const SystemProperties& system, std::size_t unknowns_of_each) {
     constexpr std::size_t most_unknowns = 64;
@@ -268,7 +268,7 @@ bool tabulate(Step& step, const SystemProperties& system) {
     return true;
 }
 
-/// Fewer unknowns for H = p^T K p/2 + U(q).
+/// Reduces the unknowns for H = p^T K p/2 + U(q).
 void eliminate_momenta(Step& step, const SystemProperties& system) {
     if (step.is_explicit() || step.from_parameter) { return; }
     VelocityForm form = velocity_form(step);
@@ -287,7 +287,7 @@ void eliminate_momenta(Step& step, const SystemProperties& system) {
          "the kinetic energy is quadratic: the stages are solved for their positions alone"});
 }
 
-/// What a stage has of (4.19) is left as it was when the stages were solved.
+/// Notes that the stages keep their momenta for the action (4.19), and are computed one by one.
 void note_action(Step& step) {
     if (step.is_explicit()) { return; }
     step.decisions.push_back({"the stages keep their momenta, and are computed one by one",
@@ -307,7 +307,7 @@ void round_coefficients(const Step& step, ChartStep& form) { form.coefficients =
 void round_coefficients(const Step&, VelocityStep& form) { form.rounded = rounded(form.form); }
 void round_coefficients(const Step&, GalerkinStep& form) { form.rounded = rounded(form.form); }
 
-/// What is left to do once all else is decided.
+/// Returns the step with all that remains once the rest is decided.
 Step completed(Step step, const SystemProperties& system) {
     step.container = system.container;
     const bool is_swept = system.is_lattice && std::holds_alternative<ExplicitStep>(step.form);
@@ -317,7 +317,8 @@ Step completed(Step step, const SystemProperties& system) {
     return step;
 }
 
-/// NOTE: trajectories side by side differ in how stiff H is for them, and are all iterated.
+/// Returns the solver. NOTE: trajectories side by side differ in how stiff H is for them, and are
+/// all iterated.
 Solver solver_for(const StepWishes& wishes) {
     const bool is_ensemble = wishes.lanes == Lanes::ensemble;
     return is_ensemble && wishes.solver == Solver::automatic ? Solver::fixed_point : wishes.solver;
@@ -328,10 +329,10 @@ bool may_tabulate(const SystemProperties& system, const StepWishes& wishes) {
            solver_for(wishes) == Solver::automatic && !wishes.needs_slopes();
 }
 
-/// NOTE: the sums of (4.19) take one stage after the other.
+/// Returns the lanes. NOTE: the sums of (4.19) take one stage after the other.
 Lanes lanes_for(const StepWishes& wishes) { return wishes.action ? Lanes::none : wishes.lanes; }
 
-/// In the charts of rotations. Precondition: the stages are set.
+/// Plans a step in the charts of rotations. Precondition: the stages are set.
 Step planned_in_charts(Step step, const OneStepMethod& method, const SystemProperties& system,
                        const StepWishes& wishes) {
     check_no_parameter(method);
@@ -341,7 +342,7 @@ Step planned_in_charts(Step step, const OneStepMethod& method, const SystemPrope
     return step;
 }
 
-/// All steps of a composition as one, but where its iteration begins.
+/// Plans all steps of a composition as one, except the start of its iteration.
 Step planned_as_one(const Tableau& tableau, const OneStepMethod& method,
                     const SystemProperties& system, const StepWishes& wishes) {
     const std::optional<Composition>& composition = method.composition;
@@ -380,10 +381,10 @@ Step planned_as_one(const Tableau& tableau, const OneStepMethod& method,
     return step;
 }
 
-/// The steps of a composition one after the other, each with its stages in lanes; nothing where
-/// these have none.
+/// Plans the steps of a composition one after the other, each with its stages in lanes; nothing
+/// where these have none.
 ///
-/// NOTE: of its own adjoint, as each of the steps has the same tables.
+/// NOTE: the method is its own adjoint, as each of the steps has the same tables.
 std::optional<Step> planned_in_a_row(const Tableau& tableau, const OneStepMethod& method,
                                      const SystemProperties& system, const StepWishes& wishes) {
     if (method.composition->with_adjoint && !is_symmetric(tableau).holds) { return {}; }
@@ -408,7 +409,8 @@ Step planned(const Tableau& tableau, const OneStepMethod& method, const SystemPr
     return completed(std::move(step), system);
 }
 
-/// By the general Galerkin form with its own unknowns. Decisions that are made are kept.
+/// Plans a step by the general Galerkin form with its own unknowns. Decisions that are made are
+/// kept.
 Step planned_as_curves(Step step, const OneStepMethod& method, const SystemProperties& system,
                        const StepWishes& wishes) {
     check_no_parameter(method);
@@ -420,7 +422,7 @@ Step planned_as_curves(Step step, const OneStepMethod& method, const SystemPrope
     return completed(std::move(step), system);
 }
 
-/// By the map of the curve, or of several in a row.
+/// Plans a step by the map of the curve, or of several in a row.
 Step planned_as_map(const OneStepMethod& method, TabulatedCurve curve,
                     const SystemProperties& system) {
     Step step;
@@ -433,7 +435,7 @@ Step planned_as_map(const OneStepMethod& method, TabulatedCurve curve,
     return completed(std::move(step), system);
 }
 
-/// By positions alone. Precondition: set_rule() has set them.
+/// Plans a step by positions alone. Precondition: set_rule() has set them.
 Step planned_as_positions(Step step, const OneStepMethod& method, const Quadrature& quadrature,
                           const SystemProperties& system, const StepWishes& wishes) {
     if (std::holds_alternative<ExplicitStep>(step.form)) {

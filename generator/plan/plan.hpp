@@ -1,4 +1,4 @@
-// From a method to a step: what is solved for, what is evaluated, what is left out.
+// The plan of a step from a method: unknowns, evaluations, and omissions.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -8,7 +8,7 @@
 
 namespace hvi::gen {
 
-/// What is wished to be computed side by side, where a scene says what H is.
+/// Wishes for computation side by side, where a scene gives H.
 enum class Lanes {
     automatic,  ///< stages, where they can be
     stages,     ///< the stages of a step
@@ -16,18 +16,18 @@ enum class Lanes {
     none,
 };
 
-/// What the user wants of a step. What becomes of it the step says.
+/// Wishes of the user for a step. The step says what becomes of them.
 struct StepWishes {
     Solver solver = Solver::of_user;
     Lanes lanes = Lanes::none;
-    bool curve = false;   ///< of a step: it is made of the slopes
-    bool action = false;  ///< of the steps: it is a sum over positions, momenta and slopes
+    bool curve = false;   ///< curve of a step, which needs its slopes
+    bool action = false;  ///< action of the steps, a sum over positions, momenta and slopes
 
     [[nodiscard]] bool needs_slopes() const { return curve || action; }
 };
 
-/// Throws InputError when the method has free parameters in places that parametric() refuses. The
-/// method and the result are verified.
+/// Returns the plan of a step. Throws InputError when the method has free parameters in places that
+/// parametric() refuses. The method and the result are verified.
 [[nodiscard]] Step plan(const OneStepMethod& method, const SystemProperties& system,
                         const StepWishes& wishes = {});
 

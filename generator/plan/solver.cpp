@@ -11,9 +11,10 @@ namespace hvi::gen {
 
 namespace {
 
-constexpr std::size_t most_of_modes = 32;  // enclosing eigenvalues takes the cube of it
+constexpr std::size_t most_of_modes = 32;  // enclosing eigenvalues costs its cube
 
-/// C_ij = b_i n_ij of the positions that are solved for: see PositionEquations of the runtime.
+/// Returns C_ij = b_i n_ij of the positions that are solved for: see PositionEquations of the
+/// runtime.
 NumberMatrix coupling(const Step& step, const VelocityForm& form) {
     NumberMatrix C;
     for (const Block& block : step.blocks) {
@@ -49,8 +50,8 @@ bool has_factors(HessianForm hessian) {
     return hessian == HessianForm::band || hessian == HessianForm::sparse;
 }
 
-/// How Newton's method goes with many degrees of freedom. NOTE: it has factors in the basis of
-/// modes alone.
+/// Sets the form of Newton's method for many degrees of freedom. NOTE: it has factors in the basis
+/// of modes alone.
 void set_hessian(Step& step, HessianForm hessian) {
     auto* velocities = std::get_if<VelocityStep>(&step.form);
     if (velocities == nullptr || !velocities->iteration.takes_newton()) { return; }
@@ -62,8 +63,8 @@ void set_hessian(Step& step, HessianForm hessian) {
     }
 }
 
-/// NOTE: where the equations are linear, one correction solves them, with factors that are kept as
-/// long as h is.
+/// Returns the solver. NOTE: where the equations are linear, one correction solves them, with
+/// factors that are kept as long as h is.
 Solver solver_of(const Step& step, Solver wished, const SystemProperties& system) {
     if (wished == Solver::automatic && system.hessian == HessianForm::none) {
         return Solver::fixed_point;
@@ -73,7 +74,8 @@ Solver solver_of(const Step& step, Solver wished, const SystemProperties& system
     return wished == Solver::automatic && is_linear ? Solver::newton : wished;
 }
 
-/// Where both slopes of a stage are unknown, they may be evaluated at the same Q and P.
+/// Sets joint slopes: where both slopes of a stage are unknown, they may be evaluated at the same Q
+/// and P.
 void set_joint_slopes(Step& step, const EvaluationCosts& costs) {
     if (step.slopes != Slopes::one_by_one || !joint_gradient_pays(costs)) { return; }
     for (const Block& block : step.blocks) {
@@ -86,7 +88,7 @@ void set_joint_slopes(Step& step, const EvaluationCosts& costs) {
          "of operations for less than the iterations that this may add"});
 }
 
-/// C_ij = b_i m_ij. Precondition: no stages are merged.
+/// Returns C_ij = b_i m_ij. Precondition: no stages are merged.
 NumberMatrix coupling(const Step& step) {
     NumberMatrix C = step.m;
     for (std::size_t i = 0; i < C.size(); ++i) {
@@ -95,8 +97,8 @@ NumberMatrix coupling(const Step& step) {
     return C;
 }
 
-/// Those that are there for Newton's method for positions, which then finds them with the
-/// corrections, or their like for pairs.
+/// Returns the modes for corrections: those of Newton's method for positions, which then finds them
+/// with the corrections, or similar ones for pairs.
 std::optional<RealModes> modes_of_lanes(Step& step) {
     if (auto* velocities = std::get_if<VelocityStep>(&step.form)) {
         return std::exchange(velocities->modes, std::nullopt);
@@ -105,7 +107,8 @@ std::optional<RealModes> modes_of_lanes(Step& step) {
     return is_runge_kutta ? real_modes(coupling(step)) : std::nullopt;
 }
 
-/// Components by themselves are solved for where there are positions alone.
+/// Returns the linear part. Components by themselves are solved for where there are positions
+/// alone.
 LinearPart linear_part(const Step& step, const SystemProperties& system) {
     const bool is_by_components = std::holds_alternative<StiffComponents>(system.linear);
     const bool has_momenta = std::holds_alternative<PairStep>(step.form);

@@ -1,4 +1,4 @@
-// Who solves the stage equations.
+// Choice of the solver of the stage equations.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -7,15 +7,15 @@
 
 namespace hvi::gen {
 
-/// Decides it from what is wished for and what can be had. Precondition: the momenta are eliminated
+/// Decides the solver, by the wish and by what can be had. Precondition: the momenta are eliminated
 /// where they can be.
 void set_solver(Step& step, Solver wished, const SystemProperties& system);
 
-/// Corrections with one Hessian, for stages in lanes whose solver is automatic. Precondition: lanes
-/// are decided on.
+/// Sets corrections with one Hessian, for stages in lanes whose solver is automatic. Precondition:
+/// lanes are decided on.
 void set_corrections(Step& step, const SystemProperties& system);
 
-/// Null where no equations are iterated.
+/// Returns the iteration of a step; null where no equations are iterated.
 [[nodiscard]] Iteration* iteration_of(Step& step);
 
 }  // namespace hvi::gen

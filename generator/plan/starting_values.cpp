@@ -17,7 +17,7 @@ namespace hvi::gen {
 
 namespace {
 
-constexpr double most = 1e8;  // so that rounding of the slopes stays below half the digits
+constexpr double most = 1e8;  // keeps rounding of the slopes below half the digits
 
 bool are_distinct(const NumberVector& c) {
     for (std::size_t i = 0; i < c.size(); ++i) {
@@ -28,9 +28,10 @@ bool are_distinct(const NumberVector& c) {
     return true;
 }
 
-/// The polynomial of the last step of the highest degree, at most that through all slopes, that
-/// does not magnify rounding too much. None where it would have to be low: slopes at the start are
-/// better. Of another size than the last step each has one, for the sake of the others in a row.
+/// Returns the polynomial of the last step of the highest degree, at most that through all slopes,
+/// that does not magnify rounding too much. None where the degree would have to be low: slopes at
+/// the start are better. Where the last step has another size there is always one, for the sake of
+/// the others in a row.
 ///
 /// NOTE: iterations of gauss:16 with polynomials of degree 11 and with slopes at the start of the
 /// step: point vortices, h = 2, 7.6 and 13.6; Kepler's problem, h = 0.2, 4.9 and 7.2; double
@@ -49,21 +50,21 @@ std::optional<SlopePolynomial> polynomial_of_one_step(const Quadrature& rule,
     return polynomial;
 }
 
-/// Whether slopes of two steps are remembered. NOTE: a stepper for any H keeps to one step, so that
-/// what it remembers is simple.
+/// Returns whether slopes of two steps are remembered. NOTE: a stepper for any H keeps to one step,
+/// so that its memory is simple.
 bool may_take_two_steps(Solver solver, Layout layout) {
     return layout != Layout::trajectories &&
            (solver == Solver::automatic || solver == Solver::fixed_point ||
             solver == Solver::newton_taylor);
 }
 
-/// That of the last two steps where it is a better start.
+/// Returns the polynomial of the last two steps where it is a better start.
 ///
-/// NOTE: measured on Kepler's problem, the pendulum and Henon-Heiles, with steps of two sizes: for
-/// two and three stages the one through all slopes saves 7 to 20 % of the evaluations with that of
-/// one step. For four, that of degree s + 2 saves 6 to 15 % of them, with point vortices and the
-/// double pendulum too, and 0 to 12 % of the time; the one through all less. For six it saves 0 to
-/// 11 % of the evaluations and from 6 % to -7 % of the time.
+/// NOTE: measured on Kepler's problem, the pendulum and Henon-Heiles, with steps of two sizes,
+/// against the polynomial of one step. For two and three stages the polynomial through all slopes
+/// saves 7 to 20 % of the evaluations. For four, that of degree s + 2 saves 6 to 15 % of them, with
+/// point vortices and the double pendulum too, and 0 to 12 % of the time; the one through all saves
+/// less. For six it saves 0 to 11 % of the evaluations and from 6 % to -7 % of the time.
 std::optional<SlopePolynomial> polynomial_of_two_steps(const Quadrature& rule,
                                                        const NumberVector& sizes) {
     const std::size_t s = rule.c.size();
@@ -106,7 +107,7 @@ Decision begins_with(const std::vector<SlopePolynomial>& polynomials, const Quad
             : "one through all of them would magnify their rounding too much"};
 }
 
-/// The sizes of the two steps before each of those in a row, which is 1 itself.
+/// Returns the sizes of the two steps before each of those in a row, relative to its own size.
 std::vector<NumberVector> sizes_behind(const NumberVector& in_a_row) {
     if (in_a_row.empty()) { return {{Number(1), Number(1)}}; }
     const std::size_t k = in_a_row.size();
@@ -120,7 +121,7 @@ std::vector<NumberVector> sizes_behind(const NumberVector& in_a_row) {
     return result;
 }
 
-/// Of each, or none where one of them has none.
+/// Returns a polynomial for each, or none where one of them has none.
 std::vector<SlopePolynomial> of_each(const std::vector<NumberVector>& sizes,
                                      const auto& polynomial_of) {
     std::vector<SlopePolynomial> result;
@@ -188,8 +189,9 @@ Quadrature nodes_of(const GalerkinForm& form) {
     return {form.c, NumberVector(form.nodes(), Number(1))};
 }
 
-/// P(t) is the polynomial through the P_i, or near to them. Of the velocities U_i = sum_j phi_ij
-/// V_j that at the nodes of the next step too, and from there to W_j = sum_i b_i phi_ij U_i / G_j.
+/// Returns the tables. P(t) is the polynomial through the P_i, or near to them. The velocities U_i
+/// = sum_j phi_ij V_j have such a polynomial too, and its values at the nodes of the next step give
+/// W_j = sum_i b_i phi_ij U_i / G_j.
 CurveExtrapolation extrapolation(const GalerkinForm& form, Side side,
                                  const SlopePolynomial& polynomial) {
     const std::size_t r = form.nodes(), s = form.functions();

@@ -1,4 +1,4 @@
-// Where the iteration of the stage equations begins.
+// Starting values of the iteration of the stage equations.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -7,12 +7,12 @@
 
 namespace hvi::gen {
 
-/// Sets Iteration::extrapolation where it is of use, and says why. Precondition: as for
+/// Sets Iteration::extrapolation where it is of use, and notes the reason. Precondition: as for
 /// set_solver().
 void set_extrapolation(Step& step, const Quadrature& rule);
 
-/// The same for velocities of the curve and momenta at the nodes. Precondition: the form and the
-/// steps of a composition are set.
+/// Sets the extrapolation of velocities of the curve and momenta at the nodes. Precondition: the
+/// form and the steps of a composition are set.
 void set_extrapolation(Step& step, GalerkinStep& galerkin);
 
 }  // namespace hvi::gen

@@ -12,7 +12,7 @@ Number weighted(const Step& step, std::size_t i, std::size_t k) {
     return step.m[i][k] * step.momenta[k].weight;
 }
 
-/// Over the momenta.
+/// Returns the sum of a term over the momenta.
 Number sum(const Step& step, const auto& term) {
     Number total;
     for (std::size_t k = 0; k < step.momenta.size(); ++k) { total = total + term(k); }
@@ -21,8 +21,8 @@ Number sum(const Step& step, const auto& term) {
 
 }  // namespace
 
-// NOTE: where enclosures stand for numbers without a closed form, that a row of m is zeros or ones
-// is known, and sums over it are not seen to be.
+// NOTE: where enclosures stand for numbers without a closed form, a row of m is known to be zeros
+// or ones, but sums over it are not seen to be.
 
 NumberVector position_times(const Step& step) {
     NumberVector c;

@@ -6,14 +6,14 @@
 
 namespace hvi::gen {
 
-/// The c_i = sum_j m_ij b_j of the positions.
+/// Returns the c_i = sum_j m_ij b_j of the positions.
 [[nodiscard]] NumberVector position_times(const Step& step);
 
-/// The step for quadratic kinetic energy; see VelocityForm. Preconditions: it is separable and
-/// not explicit, depends on no parameter, and its weights add up to 1.
+/// Returns the step for quadratic kinetic energy; see VelocityForm. Preconditions: it is separable
+/// and not explicit, depends on no parameter, and its weights add up to 1.
 [[nodiscard]] VelocityForm velocity_form(const Step& step);
 
-/// The order in which positions and forces are computed then.
+/// Returns the order in which positions and forces are then computed.
 [[nodiscard]] std::vector<Block> blocks(const VelocityForm& form);
 
 }  // namespace hvi::gen

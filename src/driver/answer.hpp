@@ -1,4 +1,4 @@
-// What a driver says to the program that has started it: lines of a key and a value.
+// Answers of a driver to the program that has started it: lines of a key and a value.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -17,7 +17,7 @@ inline void append(std::string& text, double value) {
     text.append(buffer, result.ptr);
 }
 
-/// A line of standard output, at once.
+/// Writes a line to standard output, at once.
 inline void say(std::string_view key, std::string_view value) {
     std::printf("%.*s %.*s\n", static_cast<int>(key.size()), key.data(),
                 static_cast<int>(value.size()), value.data());
@@ -32,7 +32,7 @@ inline void say(std::string_view key, double value) {
 
 inline void say(std::string_view key, std::int64_t value) { say(key, std::to_string(value)); }
 
-/// A double as text; false where it is none.
+/// Reads a double; false where the text is none.
 [[nodiscard]] inline bool read(std::string_view text, double& value) {
     const auto result = std::from_chars(text.data(), text.data() + text.size(), value);
     return result.ec == std::errc{} && result.ptr == text.data() + text.size();

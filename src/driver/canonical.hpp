@@ -12,23 +12,23 @@
 
 namespace hvi::driver {
 
-/// The derivatives of a state by canonical coordinates of where it began, themselves in canonical
-/// coordinates of where it is. These are q and p; and of a rotation R with the angular momentum L
-/// in the body xi and pi of the natural chart at R, where R exp(hat xi) and T(xi)^-T pi are R and L
-/// at xi = 0: there
+/// Derivatives of a state by canonical coordinates of the start of the run, in canonical
+/// coordinates of the state. Canonical coordinates are q and p, and, for a rotation R with the
+/// angular momentum L in the body, xi and pi of the natural chart at R. There R exp(hat xi) is the
+/// rotation and T(xi)^-T pi the angular momentum, so that at xi = 0
 ///
 ///     dR = R hat(dxi),        dpi = dL + dxi x L/2,
 ///
-/// since T(xi)^T = 1 + hat xi/2 + ...
+/// as T(xi)^T = 1 + hat xi/2 + ...
 template <class Stepper>
 struct CanonicalParts {
     using State = typename Stepper::State;
     static constexpr std::size_t n = std::tuple_size_v<typename Stepper::Vector>;
 
-    /// [k][i]: of coordinate k by coordinate i of the beginning, the q before the p.
+    /// Derivatives [k][i]: of coordinate k by coordinate i of the start, the q before the p.
     using Parts = std::array<std::array<double, 2 * n>, n>;
 
-    /// Makes the state the one that all are differentiated by.
+    /// Makes the state the start, by which all are differentiated.
     static void begin(State& x) {
         if constexpr (detail::HasFlat<Stepper>::value) {
             auto at = Stepper::flat(x);
@@ -40,7 +40,7 @@ struct CanonicalParts {
         }
     }
 
-    /// Those of q and of p.
+    /// Returns the derivatives of q and of p.
     [[nodiscard]] static std::pair<Parts, Parts> of(const State& x) {
         std::pair<Parts, Parts> parts{};
         const auto& at = detail::flat<Stepper>(x);
@@ -54,8 +54,8 @@ struct CanonicalParts {
         return parts;
     }
 
-    /// From where to where coordinates share their rounding with coordinate i: those of rotations
-    /// mix the three axes of a body, and those of all bodies where equations are solved.
+    /// Returns the range of coordinates that share their rounding with coordinate i. Rotations mix
+    /// the three axes of a body, and those of all bodies where equations are solved.
     [[nodiscard]] static std::pair<std::size_t, std::size_t> mixed_with(std::size_t i) {
         if (i % n < flat_ones()) { return {i, i + 1}; }
         const std::size_t end = i < n ? n : 2 * n;
@@ -79,7 +79,7 @@ private:
         at.p[k] = variable<2 * n>(at.p[k].value, n + k);
     }
 
-    /// dR = R hat e_a and dL = -e_a x L/2 by xi_a, and dL = e_a by pi_a.
+    /// Sets dR = R hat e_a and dL = -e_a x L/2 by xi_a, and dL = e_a by pi_a.
     template <class At>
     static void begin_rotation(At& at, std::size_t r) {
         const std::size_t R = flat_ones() + 9 * r, L = first(r);
@@ -103,7 +103,7 @@ private:
         for (std::size_t a = 0; a < 3; ++a) {
             const std::size_t b = (a + 1) % 3, c = (a + 2) % 3;
             for (std::size_t k = 0; k < 3; ++k) {
-                // Entry c, b of R^T dR.
+                // entry c, b of R^T dR
                 dxi[a] += at.q[R + 3 * k + c].value * at.q[R + 3 * k + b].by[i];
             }
         }

@@ -1,4 +1,4 @@
-// What a run costs: what is said of it, and how long it takes.
+// Cost of a run: its outcome in words, and its time.
 // SPDX-License-Identifier: MIT
 //
 // For `Problem` see departure.hpp.
@@ -16,7 +16,7 @@
 
 namespace hvi::driver {
 
-/// What became of a run.
+/// Outcome of a run.
 struct Outcome {
     std::string_view status = "ok";  ///< or why it stopped
     std::int64_t steps = 0;          ///< taken
@@ -26,7 +26,7 @@ struct Outcome {
     [[nodiscard]] bool ok() const { return status == "ok"; }
 };
 
-/// Says it, with what became of the invariants.
+/// Writes the outcome, and the departures of the invariants.
 template <class Problem>
 void tell(const Outcome& outcome, const Invariants<Problem>& invariants) {
     say("status", outcome.status);
@@ -38,7 +38,7 @@ void tell(const Outcome& outcome, const Invariants<Problem>& invariants) {
     }
 }
 
-/// The same, and where the run ended.
+/// Writes the outcome, the departures of the invariants, and the end of the run.
 template <class Problem, class State>
 void tell(const Outcome& outcome, const Invariants<Problem>& invariants, const State& x) {
     tell(outcome, invariants);
@@ -58,7 +58,7 @@ public:
     [[nodiscard]] double total() const { return total_; }
     [[nodiscard]] double median() const { return seconds_[seconds_.size() / 2]; }
 
-    /// The middle half of them, as a part of the median.
+    /// Returns the interquartile range, relative to the median.
     [[nodiscard]] double spread() const {
         const std::size_t quarter = seconds_.size() / 4;
         return (seconds_[seconds_.size() - 1 - quarter] - seconds_[quarter]) / median();
@@ -69,8 +69,8 @@ private:
     double total_ = 0;
 };
 
-/// Times repetitions over so many seconds, at least three, and says their median. prepare() makes
-/// ready, outside of the clock, what it gives: a function that runs, false where the run fails.
+/// Times repetitions over `seconds` seconds, at least three, and writes their median. prepare() is
+/// not timed; it returns a function that does a run and returns false where the run fails.
 template <class Prepare>
 void tell_time(double seconds, Prepare prepare) {
     constexpr std::size_t least = 3, most = 101;

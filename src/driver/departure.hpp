@@ -1,8 +1,9 @@
-// What a run should keep, and how well it does.
+// Invariants of a run, and how far they depart from their start.
 // SPDX-License-Identifier: MIT
 //
-// `Problem` names its Stepper and has static members stepper() and initial(), which make one and
-// its first state, invariants(), a list of names, and values(stepper, x, out), which writes them.
+// `Problem` names its Stepper and has static members. stepper() and initial() make a stepper and
+// its first state. invariants() is a list of names, and values(stepper, x, out) writes their
+// values.
 #pragma once
 
 #include <algorithm>
@@ -20,7 +21,7 @@
 
 namespace hvi::driver {
 
-/// Whether a stepper looks at departures itself, which is quicker.
+/// Whether a stepper compares the invariants itself, which is quicker.
 template <class Stepper, class = void>
 struct Follows : std::false_type {};
 template <class Stepper>
@@ -32,7 +33,7 @@ struct Follows<Stepper, std::void_t<decltype(std::declval<Stepper&>().follow(
 template <class Problem>
 class Invariants {
 public:
-    /// Precondition: `x` is where the run begins.
+    /// Precondition: `x` is the start of the run.
     template <class Stepper, class State>
     Invariants(const Stepper& stepper, const State& x)
         : values_(Problem::invariants().size()), departures_(values_.size()) {
@@ -65,7 +66,7 @@ public:
         for (std::size_t i = 0; i < values_.size(); ++i) { departures_[i].see(values_[i]); }
     }
 
-    /// Goes on from earlier departures; `x` is where they were last looked at.
+    /// Goes on from earlier departures; `x` is the state that they were last compared at.
     template <class Stepper, class State>
     void resume(const Stepper& stepper, const State& x,
                 const std::vector<detail::Departure>& departures) {
@@ -77,7 +78,7 @@ public:
     [[nodiscard]] const std::vector<detail::Departure>& departures() const { return departures_; }
 
 private:
-    /// NOTE: a sum with 0, so that none of them is -0.
+    /// Computes the values at x. NOTE: 0 is added, so that none of them is -0.
     template <class Stepper, class State>
     void compute(const Stepper& stepper, const State& x) {
         Problem::values(stepper, x, values_.data());
@@ -88,12 +89,12 @@ private:
     std::vector<detail::Departure> departures_;
 };
 
-/// How much of the energy is in the motion: the mean size of H(q, p) - H(q, 0) over places of a run
-/// where both are finite. Without an energy, the first of the invariants, it is 0.
+/// Size of the energy of motion: the mean of |H(q, p) - H(q, 0)| over places of a run where both
+/// are finite. It is 0 without an energy, the first of the invariants.
 template <class Problem>
 class EnergyOfMotion {
 public:
-    /// Precondition: the invariants are those at x.
+    /// Adds a place. Precondition: the invariants are those at x.
     template <class Stepper>
     void see(const Stepper& stepper, const typename Stepper::State& x,
              const Invariants<Problem>& invariants) {

@@ -1,4 +1,4 @@
-// How what a run should keep departs over time.
+// Departures of invariants over time.
 // SPDX-License-Identifier: MIT
 //
 // For `Problem` see departure.hpp.
@@ -17,19 +17,19 @@
 
 namespace hvi::driver {
 
-/// Says the time and the largest departure of each invariant in so many parts of a run.
+/// Writes the time and the largest departure of each invariant in each of `samples` parts of a run.
 template <class Problem>
 class DepartureSamples {
 public:
     DepartureSamples(double until, std::int64_t parts) : until_(until), parts_(parts) {}
 
-    /// Precondition: the invariants are those at t.
+    /// Adds the invariants at t. Precondition: they are computed at t.
     void see(double t, const Invariants<Problem>& invariants) {
         for (std::size_t i = 0; i < largest_.size(); ++i) {
             largest_[i] = std::max(largest_[i], std::abs(invariants.departures()[i].last));
         }
         const double part = t / until_ * static_cast<double>(parts_);
-        // NOTE: t may be a little less than what it stands for.
+        // NOTE: rounding may make t a little less than the end of a part.
         if (part + 1e-6 < static_cast<double>(next_)) { return; }
         next_ = static_cast<std::int64_t>(part + 1e-6) + 1;
         say("time", t);
@@ -45,7 +45,8 @@ private:
     std::vector<double> largest_ = std::vector<double>(Problem::invariants().size());
 };
 
-/// The command `departures H STEPS SAMPLES`: a run with so many samples. As for trajectory().
+/// The command `departures H STEPS SAMPLES`: a run with so many samples. Returns the status that
+/// trajectory() returns.
 template <class Problem>
 int departures(const std::vector<std::string_view>& words) {
     double h = 0;

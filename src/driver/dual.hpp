@@ -1,8 +1,8 @@
-// Dual numbers: the steps that compute in double, differentiated exactly.
+// Dual numbers, by which steps computed in double are differentiated exactly.
 // SPDX-License-Identifier: MIT
 //
-// NOTE: to be included before the header of a stepper, whose templates call functions by names that
-// are looked up where they are written: hvi::math::sin(x), hvi::detail::abs(x).
+// NOTE: to be included before the header of a stepper. Its templates look up hvi::math::sin(x) and
+// hvi::detail::abs(x) where they are defined.
 #pragma once
 
 #include <cmath>
@@ -20,12 +20,12 @@
 
 namespace hvi::driver {
 
-/// A double and its derivatives by n variables. Values are computed as they are in double, and
-/// derivatives by the rules of calculus: they are exact but for rounding, and no differences are
-/// taken. Numbers are ordered by their values; they are equal if all their parts are.
+/// A double and its derivatives by n variables. Values are computed as in double. Derivatives
+/// follow the rules of calculus: they are exact but for rounding, and no differences are taken.
+/// Numbers are ordered by their values, and are equal if all their parts are.
 ///
-/// NOTE: sums and products are not inlined. With 36 parts a stepper then takes g++ half of the
-/// time, and its steps no longer.
+/// NOTE: sums and products are not inlined. With 36 parts g++ then compiles a stepper in half of
+/// the time, and its steps are as fast.
 template <std::size_t n>
 class Dual {
 public:
@@ -37,18 +37,18 @@ public:
     constexpr Dual& operator=(const Dual&) = default;
     ~Dual() = default;
 
-    /// A constant.
+    /// Makes a constant.
     template <class Real, class = std::enable_if_t<std::is_arithmetic_v<Real>>>
     constexpr Dual(Real constant) : value(static_cast<double>(constant)) {}
 
-    /// NOTE: the runtime looks at numbers through volatile ones, where a compiler must not know
-    /// what they are.
+    /// Copies a volatile number. NOTE: the runtime reads numbers through volatile ones, where a
+    /// compiler must not know what they are.
     Dual(const volatile Dual& x) : value(x.value) {
         for (std::size_t i = 0; i < n; ++i) { by[i] = x.by[i]; }
     }
 
-    /// f(x), of f(x.value) and f'(x.value). NOTE: what does not depend on a variable does not where
-    /// f' is infinite either.
+    /// Returns f(x), given f(x.value) and f'(x.value). NOTE: a zero derivative of x gives a zero
+    /// derivative of f(x) even where f' is infinite.
     [[nodiscard]] friend constexpr Dual chain(const Dual& x, double f, double slope) {
         Dual result(f);
         for (std::size_t i = 0; i < n; ++i) { result.by[i] = x.by[i] == 0 ? 0 : slope * x.by[i]; }
@@ -98,7 +98,7 @@ public:
     friend constexpr bool operator!=(const Dual& x, const Dual& y) { return !(x == y); }
 };
 
-/// The variable number i at this value.
+/// Returns variable number i with this value.
 template <std::size_t n>
 [[nodiscard]] constexpr Dual<n> variable(double value, std::size_t i) {
     Dual<n> x(value);
@@ -106,7 +106,7 @@ template <std::size_t n>
     return x;
 }
 
-/// 2/sqrt(pi) exp(-x^2)
+/// Returns 2/sqrt(pi) exp(-x^2).
 [[nodiscard]] inline double slope_of_erf(double x) {
     return 2 / std::sqrt(std::acos(-1.0)) * std::exp(-x * x);
 }
@@ -205,7 +205,7 @@ template <std::size_t n>
     return chain(x, std::log10(x.value), 1 / (x.value * std::log(10.0)));
 }
 
-/// NOTE: where x is below 0, which has no logarithm, y is a constant, and no derivative is by y.
+/// NOTE: where x is below 0, which has no logarithm, y counts as a constant.
 template <std::size_t n>
 [[nodiscard]] driver::Dual<n> pow(const driver::Dual<n>& x, const driver::Dual<n>& y) {
     const double value = std::pow(x.value, y.value);
@@ -262,11 +262,12 @@ inline constexpr int bits<driver::Dual<n>> = std::numeric_limits<double>::digits
 template <std::size_t n>
 inline constexpr bool is_number<driver::Dual<n>> = true;
 
-/// The largest absolute value of all parts, a constant; no number where a part is none.
+/// Returns the largest absolute value of all parts, a constant; NaN where a part is NaN.
 ///
-/// NOTE: steppers ask it of the changes of their iterations, and end these where it no longer
-/// falls, and of what the changes are compared with. Values converge first and derivatives, at the
-/// same rate, some iterations later: this waits for both. An H calls hvi::math::abs.
+/// NOTE: steppers take abs() of the changes of their iterations, and of the values that these are
+/// compared with. They end an iteration where the changes no longer fall. Values converge first,
+/// and derivatives, at the same rate, some iterations later: this abs() waits for both. An H calls
+/// hvi::math::abs.
 template <std::size_t n>
 [[nodiscard]] driver::Dual<n> abs(const driver::Dual<n>& x) {
     double largest = std::abs(x.value);
@@ -277,7 +278,7 @@ template <std::size_t n>
     return largest;
 }
 
-/// Keeps what rounding cuts off from values; derivatives have no digits to spare.
+/// Returns a product of values with what rounding cuts off; derivatives have no digits to spare.
 template <std::size_t n>
 [[nodiscard]] Pair<driver::Dual<n>> two_product(const driver::Dual<n>& a,
                                                 const driver::Dual<n>& b) {
@@ -289,12 +290,12 @@ template <std::size_t n>
     return x;
 }
 
-/// The factors of the values. With them Newton's method x -= J^-1 f(x) computes x as it does in
-/// double, and its derivatives converge to those of the solution with any factors, as x does.
+/// Factors of the values. With them Newton's method x -= J^-1 f(x) computes x as in double. With
+/// any factors the derivatives converge to those of the solution, as x does.
 template <std::size_t n>
 class Factors<driver::Dual<n>> {
 public:
-    /// See Factors.
+    /// Computes the factors; see Factors.
     [[nodiscard]] bool compute(const SquareMatrix<driver::Dual<n>>& matrix) {
         SquareMatrix<double> values(matrix.size());
         for (std::size_t i = 0; i < matrix.size(); ++i) {

@@ -1,4 +1,4 @@
-// How the energy moves over a long run.
+// Motion of the energy over a long run.
 // SPDX-License-Identifier: MIT
 //
 // For `Problem` see edge_steps.hpp.
@@ -14,11 +14,11 @@
 
 namespace hvi::driver {
 
-/// The means of values in the two halves of a window, weighted by (u (1 - u))^4 where u goes from 0
-/// to 1 in each: of what oscillates, next to nothing is left in them.
+/// Means of values in the two halves of a window, weighted by (u (1 - u))^4, where u goes from 0 to
+/// 1 in each half: oscillations leave next to nothing in the means.
 class HalfMeans {
 public:
-    /// `part` of the window goes from 0 to 1.
+    /// Adds a value; `part` goes from 0 to 1 over the window.
     void see(double value, double part) {
         Mean& half = part > 0.5 ? second_ : first_;
         const double u = part > 0.5 ? 2 * part - 1 : 2 * part;
@@ -37,7 +37,7 @@ private:
     Mean first_, second_;
 };
 
-/// A problem whose steps forget what the step before has left, above all what rounding cut off.
+/// A problem whose steppers forget the memory of the step before, above all the remainders of sums.
 template <class Problem>
 struct Forgetful {
     struct Stepper : Problem::Stepper {
@@ -58,8 +58,8 @@ struct Forgetful {
 };
 
 /// The command `energy H STEPS STATE... VALUES...`: for windows of n to 2n steps, n = 256, 512, ...
-/// up to STEPS, says 2n and by how much the mean energy of the second half of the window differs
-/// from that of the first: see HalfMeans.
+/// up to STEPS, writes 2n and the difference of the mean energies of the second and the first half
+/// of the window: see HalfMeans.
 template <class Problem>
 int energy(const std::vector<std::string_view>& words) {
     EdgeWords<Problem> edge;

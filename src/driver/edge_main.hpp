@@ -1,4 +1,4 @@
-// The main() of programs that go to the edges.
+// The main() of programs that test steps at edges.
 // SPDX-License-Identifier: MIT
 //
 // For `Problem` see edge_steps.hpp. A program that takes longer than its limit is ended by SIGALRM.

@@ -1,8 +1,9 @@
-// Steps of any size from any state, and what became of them.
+// Steps of any size from any state, and their outcome.
 // SPDX-License-Identifier: MIT
 //
-// `Problem` names its Stepper and has static members stepper(values), which makes one with these
-// values of its parameters, or with those of the scene where there are none, and initial().
+// `Problem` names its Stepper and has static members. stepper(values) makes one with these values
+// of its parameters, or with those of the scene where there are none. initial() is the state of the
+// scene.
 #pragma once
 
 #include <array>
@@ -19,8 +20,8 @@
 
 namespace hvi::driver {
 
-/// The words `H STEPS STATE... VALUES...` that commands on edges have in common; without a state
-/// it is that of the scene.
+/// The words `H STEPS STATE... VALUES...` that commands on edges have in common. Without STATE it
+/// is the state of the scene.
 template <class Problem>
 struct EdgeWords {
     using Stepper = typename Problem::Stepper;
@@ -31,7 +32,7 @@ struct EdgeWords {
     State x = Problem::initial();
     std::vector<double> values;
 
-    /// False where this is not what they are.
+    /// Reads the words. Returns false where they have another form.
     [[nodiscard]] bool read(const std::vector<std::string_view>& words) {
         std::vector<double> state = detail::numbers<Stepper>(x);
         if (words.size() < 2 || !driver::read(words[0], h) || !driver::read(words[1], steps)) {
@@ -51,7 +52,7 @@ struct EdgeWords {
     }
 };
 
-/// Whether they hold the same bits, also of zeros and of what is no number.
+/// Returns whether both hold the same bits, also of zeros and NaN.
 [[nodiscard]] inline bool same_bits(const std::vector<double>& x, const std::vector<double>& y) {
     return std::memcmp(x.data(), y.data(), x.size() * sizeof(double)) == 0;
 }
@@ -68,7 +69,7 @@ public:
           largest_(detail::numbers<Stepper>(x_).size()),
           energy_(stepper_.energy(x_)) {}
 
-    /// Until one fails.
+    /// Takes steps until one fails.
     void take(double h, std::int64_t steps) {
         for (std::int64_t i = 0; i < steps && status_.ok(); ++i) {
             const std::vector<double> before = detail::numbers<Stepper>(x_);
@@ -101,15 +102,15 @@ private:
 
     Stepper stepper_;
     State x_;
-    std::vector<double> largest_;  ///< of the absolute values of its numbers after a step
+    std::vector<double> largest_;  ///< largest size of each number of the state
     double energy_;                ///< at the start
-    double energy_error_ = 0;      ///< the largest after a step
+    double energy_error_ = 0;      ///< largest error after a step
     Status status_;
-    bool is_untouched_ = true;  ///< by the last step
+    bool is_untouched_ = true;  ///< whether the last step has left the state alone
     std::int64_t taken_ = 0, iterations_ = 0;
 };
 
-/// The command `advance H STEPS STATE... VALUES...`.
+/// The command `advance H STEPS STATE... VALUES...`: takes the steps and writes their outcome.
 template <class Problem>
 int advance(const std::vector<std::string_view>& words) {
     EdgeWords<Problem> edge;
@@ -120,7 +121,7 @@ int advance(const std::vector<std::string_view>& words) {
     return 0;
 }
 
-/// The command `return H STEPS STATE... VALUES...`: so many steps, and as many of size -H.
+/// The command `return H STEPS STATE... VALUES...`: takes so many steps, and as many of size -H.
 template <class Problem>
 int there_and_back(const std::vector<std::string_view>& words) {
     EdgeWords<Problem> edge;
@@ -132,7 +133,7 @@ int there_and_back(const std::vector<std::string_view>& words) {
     return 0;
 }
 
-/// The command `start`: says the first state of the scene.
+/// The command `start`: writes the first state of the scene.
 template <class Problem>
 int start(const std::vector<std::string_view>& words) {
     if (!words.empty()) { return 2; }

@@ -1,4 +1,4 @@
-// How far the derivative of steps is from symplectic.
+// Distance of the derivative of steps from symplectic.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -23,7 +23,7 @@
 
 namespace hvi::driver {
 
-/// The derivative D of the map of so many steps, by dual numbers with a part for each canonical
+/// The derivative D of the map of several steps, by dual numbers with a part for each canonical
 /// coordinate: the q, then the p; see CanonicalParts.
 template <class Stepper>
 class SymplecticDefect {
@@ -32,14 +32,14 @@ public:
     static constexpr std::size_t n = std::tuple_size_v<typename Stepper::Vector>;
     static_assert(std::is_same_v<typename Stepper::Scalar, Dual<2 * n>>);
 
-    /// The largest entry of D^T J D - J beside that of |D|^T |J| |D| where it was largest on the
-    /// way, or no number where D is none; empty where a step fails.
+    /// Returns the largest entry of D^T J D - J, relative to the largest value of the entry of
+    /// |D|^T |J| |D| along the run. NaN where D is not finite; empty where a step fails.
     ///
-    /// NOTE: where a step leaves errors E in D, D^T J D changes by E^T J D + D^T J E, of which that
-    /// is the size, and the steps after it, being symplectic, keep the change as it is: so an error
-    /// does not go away where entries have been large. Entry by entry, since those of D differ by
-    /// masses and lengths, and a large one would hide what is wrong with a small one. But those of
-    /// rotations mix, and of them the largest counts.
+    /// NOTE: a step with an error E of D changes D^T J D by E^T J D + D^T J E, whose size is that
+    /// of |D|^T |J| |D|. Later steps, being symplectic, keep the change as it is: so an error does
+    /// not go away where entries have been large. Entries are compared one by one, since those of D
+    /// differ by masses and lengths, and a large entry would hide the error of a small one. But
+    /// entries of rotations mix, and the largest of them counts.
     [[nodiscard]] std::optional<double> of(State x, double h, std::int64_t steps) {
         Stepper stepper{typename Stepper::Parameters{}};
         sizes_ = {};
@@ -94,7 +94,7 @@ private:
         return largest;
     }
 
-    /// Takes down where sizes are larger than ever.
+    /// Records sizes that are larger than ever.
     void look(const State& x) {
         const auto [q, p] = Canonical::of(x);
         for (std::size_t i = 0; i < 2 * n; ++i) {
@@ -107,8 +107,8 @@ private:
     std::array<std::array<double, 2 * n>, 2 * n> sizes_{};
 };
 
-/// The condition number of d2L/dv2 where the scene begins, by the sums of rows; 1 where it has a
-/// Hamiltonian. (4.14) is solved for velocities whose momenta are right.
+/// Condition number of d2L/dv2 at the first state of the scene, by the sums of rows; 1 where the
+/// scene has a Hamiltonian. (4.14) is solved for velocities whose momenta are right.
 template <class Stepper, class = void>
 struct Condition {
     static double number() { return 1; }

@@ -1,4 +1,4 @@
-// The canonical equations of a scene, as libraries for any dy/dt = f(y, t) take them.
+// Canonical equations of a scene, for libraries that solve dy/dt = f(y, t).
 // SPDX-License-Identifier: MIT
 //
 // For `Problem` see departure.hpp. Its Stepper is one with Newton's method, whose System has the
@@ -18,7 +18,7 @@
 
 namespace hvi::driver {
 
-/// What the canonical equations of both sides have in common; y is q, and then p.
+/// Common part of the canonical equations of H and of L; y is q, and then p.
 template <class Problem>
 class CanonicalEquations {
 public:
@@ -35,11 +35,11 @@ public:
         return y;
     }
 
-    /// Of dH/dq, or of dL/dq, so far.
+    /// Returns the number of evaluations of dH/dq, or of dL/dq, so far.
     [[nodiscard]] std::int64_t evaluations() const { return system_.evaluations; }
 
 protected:
-    /// Entries that are not written are zero.
+    /// A square matrix. Entries that are not written are zero.
     class Matrix {
     public:
         double& operator()(std::size_t i, std::size_t j) { return entries_[n * i + j]; }
@@ -55,7 +55,7 @@ protected:
         return x;
     }
 
-    /// Calls f with x, and after it the time where the scene depends on it.
+    /// Calls f with x, followed by the time where the scene depends on it.
     template <class Function, class... Vectors>
     static void at_time([[maybe_unused]] double t, Function f, const Vectors&... x) {
         if constexpr (Problem::depends_on_time) {
@@ -68,7 +68,7 @@ protected:
     System system_{typename Problem::Stepper::Parameters{}};
 };
 
-/// dq/dt = dH/dp, dp/dt = -dH/dq, by the code that steppers evaluate.
+/// Equations dq/dt = dH/dp, dp/dt = -dH/dq, by the code that steppers evaluate.
 template <class Problem>
 class EquationsOfHamiltonian : public CanonicalEquations<Problem> {
 public:
@@ -91,14 +91,14 @@ public:
         }
     }
 
-    /// The two halves of slope(), for H = T(p) + U(q).
+    /// Compute the two halves of slope(), for H = T(p) + U(q).
     void velocity(const Vector& p, Vector& dqdt) const { system_.dHdp(p, dqdt); }
     void force(const Vector& q, Vector& dpdt) const {
         system_.dHdq(q, dpdt);
         for (double& value : dpdt) { value = -value; }
     }
 
-    /// The derivatives of slope() by y, row by row.
+    /// Computes the derivatives of slope() by y, row by row.
     void jacobian(const double* y, double* rows, double t) const {
         const auto [q, p] = Base::parts(y);
         Matrix qq, qp, pp;
@@ -127,7 +127,7 @@ private:
     using Base::system_;
     using typename Base::Matrix;
 
-    /// Calls f with the arguments that the derivatives by q have.
+    /// Calls f with the arguments of the derivatives of H by q.
     template <class Function>
     static void of_q(Function f, const Vector& q, [[maybe_unused]] const Vector& p, double t) {
         if constexpr (Problem::is_separable) {
@@ -137,7 +137,7 @@ private:
         }
     }
 
-    /// The same, by p alone.
+    /// Calls f with the arguments of the derivatives of H by p alone.
     template <class Function>
     static void of_p(Function f, [[maybe_unused]] const Vector& q, const Vector& p,
                      [[maybe_unused]] double t) {
@@ -148,7 +148,7 @@ private:
         }
     }
 
-    /// Column by column.
+    /// Sets pp to the inverse mass matrix, column by column.
     void inverse_mass(Matrix& pp) const {
         for (std::size_t j = 0; j < n; ++j) {
             Vector unit{}, column{};
@@ -159,7 +159,7 @@ private:
     }
 };
 
-/// p = dL/dv(q, v), dq/dt = v, dp/dt = dL/dq(q, v).
+/// Equations p = dL/dv(q, v), dq/dt = v, dp/dt = dL/dq(q, v).
 template <class Problem>
 class EquationsOfLagrangian : public CanonicalEquations<Problem> {
 public:
@@ -178,8 +178,9 @@ public:
         });
     }
 
-    /// The derivatives of slope() by y, row by row: with M = d2L/dv2 and C = d2L/dqdv those of v
-    /// are -M^-1 C^T and M^-1, and those of dL/dq are d2L/dq2 and C, times these.
+    /// Computes the derivatives of slope() by y, row by row. With M = d2L/dv2 and C = d2L/dqdv, the
+    /// derivatives of v by q and p are -M^-1 C^T and M^-1. The chain rule with d2L/dq2 and C then
+    /// gives those of dL/dq.
     void jacobian(const double* y, double* rows, double t) const {
         const auto [q, p] = Base::parts(y);
         Matrix qq, C;

@@ -9,10 +9,10 @@
 
 namespace hvi::driver {
 
-/// Exit statuses where there is not enough memory, and where a file cannot be read.
+/// Exit statuses for too little memory, and for a file that cannot be read.
 inline constexpr int out_of_memory = 4, cannot_read = 5;
 
-/// Runs it, and says what becomes of it where that throws.
+/// Runs work(). Returns its status, or reports the exception that it throws.
 template <class Work>
 int guarded(Work work) {
     try {

@@ -1,4 +1,4 @@
-// Where a run of a scene of any size ends, what it costs, and how long it takes.
+// End, cost and time of a run of a scene of any size.
 // SPDX-License-Identifier: MIT
 //
 // For `Problem` see departure.hpp.
@@ -21,9 +21,10 @@
 
 namespace hvi::driver {
 
-/// The distance of a state from a reference, relative where that is not 0. `late` is how far beyond
-/// the reference in time the state is, by the rounding of the step size: as far as it has moved
-/// since, at a velocity that a short step tells, is taken off. Precondition: the sizes fit.
+/// Returns the distance of a state from a reference, relative where the reference is not 0. `late`
+/// is how far the time of the state is beyond that of the reference, by the rounding of the step
+/// size. The motion in that time is subtracted, at a velocity that a short step tells.
+/// Precondition: the sizes fit.
 template <class Problem, class State>
 [[nodiscard]] double distance(const State& x, const std::vector<double>& reference, double h,
                               double late) {
@@ -46,9 +47,9 @@ template <class Problem, class State>
     return std::sqrt(size > 0 ? sum / size : sum);
 }
 
-/// Says how long runs take, and returns how many evaluations there are where nobody looks on. NOTE:
-/// a run that takes seconds is not repeated: what it took where
-/// invariants were looked at, without the looks, says as much.
+/// Writes how long runs take, and returns the number of evaluations of a run without looks at the
+/// invariants. NOTE: a run that takes seconds is not repeated. Its time is that of the run with
+/// looks, less the time of the looks.
 template <class Problem>
 std::int64_t tell_time_of_run(const LargeRun<Problem>& looked_at, double h, std::int64_t steps,
                               double seconds) {
@@ -70,8 +71,8 @@ std::int64_t tell_time_of_run(const LargeRun<Problem>& looked_at, double h, std:
     return evaluations;
 }
 
-/// The command `measure H STEPS SECONDS UNTIL FILE`: as measure() does, but that the end is
-/// compared with that in the file, which is of the time UNTIL.
+/// The command `measure H STEPS SECONDS UNTIL FILE`: as measure(), but it compares the end with
+/// that in the file, at the time UNTIL.
 template <class Problem>
 int large_measure(const std::vector<std::string_view>& words) {
     constexpr std::int64_t most_looks = 100;
@@ -112,7 +113,7 @@ int large_departures(const std::vector<std::string_view>& words) {
     return 0;
 }
 
-/// The command `pace H STEPS`: says how long a step takes, over at most half a second.
+/// The command `pace H STEPS`: writes how long a step takes, over at most half a second.
 template <class Problem>
 int large_pace(const std::vector<std::string_view>& words) {
     double h = 0;

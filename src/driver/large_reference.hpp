@@ -17,7 +17,8 @@
 
 namespace hvi::driver {
 
-/// As many steps to begin with as leave time for twice as many.
+/// Returns the number of steps to begin with: a run of twice as many steps has to fit in the time,
+/// too.
 template <class Problem>
 [[nodiscard]] std::int64_t affordable(const ReferenceWishes& wishes) {
     const double h = wishes.until / static_cast<double>(wishes.steps);
@@ -27,7 +28,7 @@ template <class Problem>
                                                     : wishes.steps;
 }
 
-/// Writes the end into a file. The statuses are those of large_main().
+/// Computes the reference, and writes its end into a file. Returns a status of large_main().
 template <class Problem>
 int tell_reference(ReferenceWishes wishes, const char* path) {
     wishes.steps = affordable<Problem>(wishes);
@@ -39,7 +40,7 @@ int tell_reference(ReferenceWishes wishes, const char* path) {
 }
 
 /// The main() of a program that is called as `program UNTIL STEPS WANTED SECONDS FILE`, and writes
-/// where the run ends into the file; or, as `program FILE`, where it begins.
+/// the end of the run into the file; or, called as `program FILE`, its start.
 template <class Problem>
 int large_reference(int argc, char** argv) {
     ReferenceWishes wishes;

@@ -1,4 +1,4 @@
-// A run of a scene of any size, whose invariants are looked at now and then.
+// A run of a scene of any size, whose invariants are computed now and then.
 // SPDX-License-Identifier: MIT
 //
 // For `Problem` see departure.hpp.
@@ -14,19 +14,19 @@
 
 namespace hvi::driver {
 
-/// A run from the start. NOTE: to look at invariants costs as much as a step does.
+/// A run from the start. NOTE: computing invariants costs as much as a step.
 template <class Problem>
 class LargeRun {
 public:
     LargeRun(double h, std::int64_t steps) : h_(h), steps_(steps) {}
 
-    /// Takes the steps in so many parts, as equal as may be, or until one fails; `see(t)` is called
+    /// Takes the steps in `parts` parts, as equal as may be, or until one fails; `see(t)` is called
     /// at the end of each part.
     template <class See>
     void run(std::int64_t parts, See see) {
         const std::int64_t count = std::min(parts, steps_);
         for (std::int64_t part = 1; part <= count && outcome_.ok(); ++part) {
-            // NOTE: where there are very many steps their product with a part is beyond integers.
+            // NOTE: the product of very many steps with a part would be beyond integers.
             const std::int64_t end =
                 steps_ / count * part + steps_ % count * part / count - outcome_.steps;
             const auto start = std::chrono::steady_clock::now();
@@ -46,7 +46,7 @@ public:
     [[nodiscard]] const auto& state() const { return x_; }
     [[nodiscard]] const Invariants<Problem>& invariants() const { return invariants_; }
 
-    /// Of the steps alone.
+    /// Returns the time of the steps alone.
     [[nodiscard]] double seconds() const { return seconds_; }
 
 private:

@@ -1,4 +1,4 @@
-// Where a run ends, what it costs, and how long it takes.
+// End, cost and time of a run.
 // SPDX-License-Identifier: MIT
 //
 // For `Problem` see departure.hpp.
@@ -18,7 +18,7 @@
 
 namespace hvi::driver {
 
-/// Says how fast the state moves at the end, to a few digits: by a step that is short.
+/// Writes how fast the state moves at the end, to a few digits, by a short step.
 template <class Problem, class State>
 void tell_velocity(const State& x, double h) {
     auto stepper = Problem::stepper();
@@ -34,8 +34,8 @@ void tell_velocity(const State& x, double h) {
     tell(from.p, to.p);
 }
 
-/// The command `measure H STEPS SECONDS`: one run that is looked at, and repetitions that are
-/// timed, over so many seconds and at least three. As for trajectory().
+/// The command `measure H STEPS SECONDS`: one run with its invariants, and timed repetitions, over
+/// so many seconds and at least three. Returns the status that trajectory() returns.
 template <class Problem>
 int measure(const std::vector<std::string_view>& words) {
     double h = 0, seconds = 0;

@@ -1,4 +1,4 @@
-// A step as one would write it down at first, to compare others with.
+// A step as one would write it down at first, for comparison.
 // SPDX-License-Identifier: MIT
 //
 // For `Problem` see departure.hpp. Its Stepper is one for Equations.
@@ -17,14 +17,14 @@
 
 namespace hvi::driver::naive {
 
-/// The partitioned Runge-Kutta method of a tableau whose every entry is rounded to a double for
-/// itself, by fixed points of its stages until they change no more, or no less than before.
+/// The partitioned Runge-Kutta method of a tableau, with each entry rounded to a double for itself.
+/// The stages are iterated to a fixed point, until they change no more, or no less than before.
 template <class Problem>
 class Stepper {
 public:
     using State = typename Problem::Stepper::State;
 
-    /// `words`: the number of stages s, A, A~ and b; without them, of no stages.
+    /// `words`: the number of stages s, A, A~ and b. Without words there are no stages.
     explicit Stepper(const std::vector<double>& words)
         : s_(words.empty() ? 0 : static_cast<std::size_t>(words.front())) {
         if (words.empty()) { return; }
@@ -83,7 +83,7 @@ private:
         return most;
     }
 
-    /// How much it has changed, in the largest component.
+    /// Sweeps once over the stages. Returns the largest change of a slope.
     double sweep(const Values& y, double h) {
         std::vector<Values> stages(s_);
         for (std::size_t i = 0; i < s_; ++i) {
@@ -114,7 +114,7 @@ private:
     typename Problem::Stepper energies_ = Problem::stepper();
 };
 
-/// For edge_main(), with the words of the stepper in place of values of parameters.
+/// A problem of edge_main(), with the words of the stepper in place of values of parameters.
 template <class Problem>
 struct Edge {
     using Stepper = naive::Stepper<Problem>;

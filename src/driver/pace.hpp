@@ -1,4 +1,4 @@
-// How long a step takes.
+// Time of a step.
 // SPDX-License-Identifier: MIT
 //
 // For `Problem` see departure.hpp.
@@ -13,14 +13,14 @@
 
 namespace hvi::driver {
 
-/// When the invariants of a run are looked at.
+/// When the invariants of a run are computed.
 enum class Watch {
     steps,  ///< after every step
-    rows,   ///< where a row is written: they cost as much as a step does
+    rows,   ///< where a row is written: they cost as much as a step
 };
 
-/// Seconds that a step takes where nobody looks on, over at most half a second; the start is where
-/// the run begins. Zero where no step can be taken.
+/// Returns the seconds that a step takes without looks at the invariants, over at most half a
+/// second from the start of the run. Zero where no step can be taken.
 template <class Problem>
 double seconds_of_step(Watch watch, double h, std::int64_t steps) {
     using Clock = std::chrono::steady_clock;

@@ -3,9 +3,9 @@
 //
 // For `Problem` see departure.hpp. A Peer is made of PeerWishes, and has members
 //
-//     Outcome run(watch);    from the start to the end; watch(q, p, t) sees where it comes to, with
+//     Outcome run(watch);    runs from the start to the end; watch(q, p, t) sees each state, by
 //                            pointers to the coordinates and to the momenta
-//     takes_equal_steps      of the size until / steps; else it chooses sizes by the tolerance
+//     takes_equal_steps      whether steps have the size until / steps; else the tolerance decides
 #pragma once
 
 #include <algorithm>
@@ -26,21 +26,20 @@ namespace hvi::driver {
 
 struct PeerWishes {
     double until = 0;
-    std::int64_t steps = 1;  ///< how many are taken; where sizes are chosen, of which size the
-                             ///< first one is
+    std::int64_t steps = 1;  ///< number of steps; adaptive peers begin with the size until / steps
     double tolerance = 0;    ///< of the error in a step, absolute and relative
 
     [[nodiscard]] double step() const { return until / static_cast<double>(steps); }
 };
 
-/// More steps than anybody waits for.
+/// Limit on the number of steps, more than anybody waits for.
 constexpr std::int64_t most_steps_of_peers = 100'000'000;
 
 inline constexpr const char* no_step_is_small_enough = "no step is small enough for the tolerance";
 
 [[nodiscard]] inline const char* not_finite() { return Status(Status::Code::not_finite).message(); }
 
-/// Says how fast the state moves at the end.
+/// Writes how fast the state moves at the end.
 template <class Problem, class State>
 void tell_velocity_of_peer(const State& x, double t) {
     typename Equations<Problem>::Values y{}, velocity{};
@@ -50,11 +49,11 @@ void tell_velocity_of_peer(const State& x, double t) {
     for (const double value : velocity) { say("velocity", value); }
 }
 
-/// A run from the start, whose invariants are watched.
+/// A run from the start, with its invariants.
 template <class Problem, class Peer>
 class WatchedRun {
 public:
-    /// `see(t, invariants)` is called where the run comes to.
+    /// Runs, and calls `see(t, invariants)` at each state that the peer shows.
     template <class See>
     Outcome run(const PeerWishes& wishes, See see) {
         return Peer(wishes).run([&](const double* q, const double* p, double t) {
@@ -75,7 +74,7 @@ private:
     Invariants<Problem> invariants_{stepper_, x_};
 };
 
-/// Says what departures() does.
+/// Writes the same answers as departures().
 template <class Problem, class Peer>
 void departures_of_peer(const PeerWishes& wishes, std::int64_t samples) {
     DepartureSamples<Problem> all(wishes.until, samples);
@@ -83,8 +82,8 @@ void departures_of_peer(const PeerWishes& wishes, std::int64_t samples) {
         wishes, [&](double t, const auto& invariants) { all.see(t, invariants); }));
 }
 
-/// Says what measure() does; the velocity only where a run of equal steps may miss the end by what
-/// their sum is rounded.
+/// Writes the same answers as measure(). The velocity is written only for a run of equal steps,
+/// which may miss the end by the rounding of their sum.
 template <class Problem, class Peer>
 void measure_peer(const PeerWishes& wishes, double seconds) {
     WatchedRun<Problem, Peer> watched;
@@ -101,7 +100,7 @@ void measure_peer(const PeerWishes& wishes, double seconds) {
     });
 }
 
-/// A name and what measures the integrator that it is of.
+/// Name of an integrator, and the functions that measure it.
 struct NamedPeer {
     std::string_view name;
     void (*measure)(const PeerWishes& wishes, double seconds);

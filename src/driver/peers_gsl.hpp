@@ -1,7 +1,7 @@
 // Integrators of the GNU Scientific Library.
 // SPDX-License-Identifier: MIT
 //
-// For `Problem` see departure.hpp, for what a peer is, peer.hpp.
+// For `Problem` see departure.hpp. For the members of a peer see peer.hpp.
 #pragma once
 
 #include <gsl/gsl_errno.h>
@@ -18,7 +18,7 @@
 
 namespace hvi::driver::gsl {
 
-/// A scene as the library sees it, and where a run of it is.
+/// A scene as the library sees it, and the present state of a run.
 template <class Problem>
 class Integration {
 public:
@@ -29,13 +29,14 @@ public:
     Integration(const Integration&) = delete;
     Integration& operator=(const Integration&) = delete;
 
-    /// A step of size h from t; false where it fails.
+    /// Takes a step of size h from t. Returns false where it fails.
     [[nodiscard]] bool step(double t, double h) {
         return gsl_odeiv2_step_apply(driver_->s, t, h, y_.data(), errors_.data(), nullptr, nullptr,
                                      &system_) == GSL_SUCCESS;
     }
 
-    /// A step from t towards `until`, of a size that is chosen and at first h; it moves both.
+    /// Takes a step from t towards `until`, of a size that the library chooses, h at first. It
+    /// changes t and h.
     [[nodiscard]] bool step_towards(double until, double& t, double& h) {
         return gsl_odeiv2_evolve_apply(driver_->e, driver_->c, driver_->s, &system_, &t, until, &h,
                                        y_.data()) == GSL_SUCCESS;
@@ -46,7 +47,7 @@ public:
         watch(y_.data(), y_.data() + Equations<Problem>::n, t);
     }
 
-    /// The outcome with what is known at the end of it.
+    /// Returns the outcome, completed at the end of the run.
     [[nodiscard]] Outcome end(Outcome outcome) const {
         outcome.evaluations = equations_.evaluations();
         if (outcome.ok() && !detail::finite(y_, y_)) { outcome.status = not_finite(); }
@@ -61,7 +62,7 @@ private:
         return GSL_SUCCESS;
     }
 
-    /// NOTE: rk4imp, which alone asks for it, does not look at the derivatives by t.
+    /// Computes the Jacobian. NOTE: rk4imp, which alone asks for it, ignores the derivatives by t.
     static int jacobian(double t, const double* y, double* rows, double* by_t, void* equations) {
         static_cast<const Equations<Problem>*>(equations)->jacobian(y, rows, t);
         for (std::size_t k = 0; k < std::tuple_size<Values>::value; ++k) { by_t[k] = 0; }
@@ -106,9 +107,9 @@ private:
     Integration<Problem> integration_;
 };
 
-/// Gauss' method of two stages. To estimate its error each step is taken a second time as two
-/// halves, from which it goes on: with as many steps it is our gauss:2 with twice as many. The
-/// tolerance is that of Newton's method.
+/// Gauss' method of two stages. To estimate its error, rk4imp takes each step a second time as two
+/// halves, and goes on from these. So it is our gauss:2 with twice as many steps. The tolerance is
+/// that of Newton's method.
 template <class Problem>
 class Gauss {
 public:

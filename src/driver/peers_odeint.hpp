@@ -1,7 +1,7 @@
 // Integrators of Boost.Odeint.
 // SPDX-License-Identifier: MIT
 //
-// For `Problem` see departure.hpp, for what a peer is, peer.hpp.
+// For `Problem` see departure.hpp. For the members of a peer see peer.hpp.
 #pragma once
 
 #include <cstdint>
@@ -25,7 +25,7 @@ namespace hvi::driver::odeint {
 
 namespace library = boost::numeric::odeint;
 
-/// What chooses its steps; `Stepper` is made of the wishes by a function of the library.
+/// A peer that chooses its steps. A function of the library makes its `Stepper` from the wishes.
 template <class Problem, class Stepper>
 class Adaptive {
 public:
@@ -86,7 +86,7 @@ struct Fehlberg78 : Adaptive<Problem, Fehlberg78Stepper<Problem>> {
 };
 
 /// McLachlan's symplectic method of six stages for H = T(p) + U(q). NOTE: one line of the library's
-/// documentation gives it the order 6, the next one 4, which is the one that runs show.
+/// documentation gives its order as 6, the next one as 4, which is the order that runs show.
 template <class Problem>
 class McLachlan {
 public:

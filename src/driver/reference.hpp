@@ -1,4 +1,4 @@
-// A solution that others are measured against.
+// A reference solution that others are compared with.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -19,14 +19,14 @@
 
 namespace hvi::driver {
 
-/// How a reference is looked for: to begin with so many steps, and to end when halving them moves
-/// the end by no more than `wanted`, or time is up.
+/// Settings of the search for a reference: it begins with `steps` steps, and ends when halving them
+/// moves the end by no more than `wanted`, or time is up.
 struct ReferenceWishes {
     double until = 0;
     std::int64_t steps = 0;
     double wanted = 0, seconds = 0;
 
-    /// False where these are no such words: UNTIL STEPS WANTED SECONDS.
+    /// Reads the words UNTIL STEPS WANTED SECONDS. Returns false where they have another form.
     [[nodiscard]] bool read_words(char** words) {
         return read(words[0], until) && read(words[1], steps) && read(words[2], wanted) &&
                read(words[3], seconds) && steps >= 1;
@@ -42,8 +42,8 @@ public:
     using Scalar = typename Stepper::Scalar;
     using State = typename Stepper::State;
 
-    /// The end, where there was a run that came to it, and how far that is from the end with steps
-    /// of twice the size.
+    /// End of the last run that came to it, and its distance from the end with steps of twice the
+    /// size.
     struct Found {
         std::optional<State> end;
         double error;
@@ -71,10 +71,10 @@ public:
     }
 
 private:
-    static constexpr int most_failures = 8;  // that smaller steps may mend
+    static constexpr int most_failures = 8;  // failures that smaller steps may mend
     static constexpr double infinite = std::numeric_limits<double>::infinity();
 
-    /// Empty where a step fails.
+    /// Returns the end of a run; empty where a step fails.
     [[nodiscard]] std::optional<State> end() const {
         Stepper stepper = Problem::stepper();
         State x = Problem::initial();
@@ -83,7 +83,7 @@ private:
         return x;
     }
 
-    /// Relative where b is not 0.
+    /// Returns the distance of a and b, relative where b is not 0.
     [[nodiscard]] static double distance(const State& a, const State& b) {
         Scalar sum = 0, size = 0;
         const auto look = [&](const auto& u, const auto& v) {
@@ -102,7 +102,7 @@ private:
     ReferenceWishes wishes_;
 };
 
-/// A scene that a Stepper is made for.
+/// Problem made of a Stepper and its scene.
 template <class S>
 struct SceneOf {
     using Stepper = S;
@@ -110,8 +110,8 @@ struct SceneOf {
     static typename Stepper::State initial() { return Stepper::initial(); }
 };
 
-/// The main() of a program that is called as `program UNTIL STEPS WANTED SECONDS`, and says where
-/// the run ends.
+/// The main() of a program that is called as `program UNTIL STEPS WANTED SECONDS`, and writes the
+/// end of the run.
 template <class Stepper>
 int reference(int argc, char** argv) {
     ReferenceWishes wishes;

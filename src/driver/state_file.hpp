@@ -14,14 +14,14 @@ struct CloseFile {
 };
 using File = std::unique_ptr<std::FILE, CloseFile>;
 
-/// Numbers as doubles; false where they could not be written.
+/// Writes numbers as doubles. Returns false where they could not be written.
 template <class Vector>
 [[nodiscard]] bool write_numbers(std::FILE* file, const Vector& numbers) {
     const std::vector<double> rounded(numbers.begin(), numbers.end());
     return std::fwrite(rounded.data(), sizeof(double), rounded.size(), file) == rounded.size();
 }
 
-/// Coordinates, then momenta, as doubles. False where they could not be written.
+/// Writes coordinates, then momenta, as doubles. Returns false where they could not be written.
 template <class State>
 [[nodiscard]] bool write_state(const char* path, const State& x) {
     File file(std::fopen(path, "wb"));
@@ -29,7 +29,7 @@ template <class State>
            std::fclose(file.release()) == 0;
 }
 
-/// So many numbers; fewer where the file has no more, or cannot be read.
+/// Reads `count` numbers; fewer where the file has no more, or cannot be read.
 [[nodiscard]] inline std::vector<double> numbers_in(const char* path, std::size_t count) {
     std::vector<double> numbers(count);
     const File file(std::fopen(path, "rb"));

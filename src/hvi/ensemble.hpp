@@ -16,7 +16,7 @@ namespace hvi {
 
 namespace detail {
 
-/// NOTE: named apart from hvi::Trajectories, which generated headers mean.
+/// NOTE: the name differs from hvi::Trajectories, which generated headers use.
 template <class Stepper>
 using TrajectoriesOf =
     std::conditional_t<TakesSeveral<Stepper>::value, LaneGroups<Stepper>, SingleStates<Stepper>>;
@@ -24,14 +24,14 @@ using TrajectoriesOf =
 }  // namespace detail
 
 /// `Stepper` is a class that `hvi-gen stepper --lanes ensemble` has written, which takes eight
-/// trajectories at once, or one of any other stepper of a scene, as those of scenes of any size
-/// are. Each trajectory ends with the same bits whatever the others are, where it stands among
-/// them, and on however many threads. One of which a step fails keeps the state before that step,
-/// and the others go on.
+/// trajectories at once, or any other stepper of a scene, such as one of a scene of any size. Each
+/// trajectory ends with the same bits on any number of threads, whatever the other trajectories are
+/// and wherever it stands among them. A trajectory whose step fails keeps the state before that
+/// step, and the others go on.
 /// # Use
-/// All trajectories have the same parameters, h and number of steps; h is a time in the units of H
+/// All trajectories have the same parameters, h and number of steps. h is a time in the units of H
 /// and may be negative. Precondition of state(i), status(i) and steps(i): i < size(). A step that
-/// fails throws nothing: ok() and status(i) tell of it. With -pthread and the header of
+/// fails throws nothing: ok() and status(i) report it. With -pthread and the header of
 ///
 ///     hvi-gen stepper --method stormer-verlet pendulum --lanes ensemble -o pendulums.hpp
 ///
@@ -76,7 +76,7 @@ public:
     using Parameters = typename Stepper::Parameters;
     using Scalar = typename Stepper::Scalar;
 
-    /// One trajectory from each of these states.
+    /// Begins one trajectory at each of the states `starts`.
     explicit Ensemble(const std::vector<Trajectory>& starts, const Parameters& parameters = {})
         : parameters_(parameters),
           stepper_(parameters),
@@ -85,12 +85,12 @@ public:
 
     [[nodiscard]] std::size_t size() const { return size_; }
 
-    /// Takes each trajectory so many steps of size h further, on so many threads; 0: as many as
-    /// there are processors. A thread takes one trajectory, or a group of eight, through all its
-    /// steps, and then the next.
+    /// Takes each trajectory `steps` steps of size h further, on `threads` threads; 0: as many
+    /// threads as there are processors. A thread takes one trajectory, or a group of eight, through
+    /// all its steps, and then the next.
     ///
-    /// What a step throws, std::bad_alloc or std::system_error comes out when all threads have
-    /// ended, the first of them; of the trajectories then some have been advanced, and some not.
+    /// Rethrows, when all threads have ended, the first exception of a step, std::bad_alloc or
+    /// std::system_error. Some trajectories have then been advanced and others not.
     void advance(Scalar h, std::int64_t steps, unsigned threads = 0) {
         detail::in_parallel(trajectories_.pieces(), threads, [&] {
             return [&, stepper = Stepper(parameters_)](std::size_t piece) mutable {
@@ -101,16 +101,17 @@ public:
 
     [[nodiscard]] Trajectory state(std::size_t i) const { return trajectories_.state(i); }
 
-    /// What became of the last step of trajectory i.
+    /// Returns the status of the last step of trajectory i.
     [[nodiscard]] Status status(std::size_t i) const { return trajectories_.status(i); }
 
-    /// How many steps it has taken.
+    /// Returns the number of steps that trajectory i has taken.
     [[nodiscard]] std::int64_t steps(std::size_t i) const { return trajectories_.steps(i); }
 
-    /// Whether no step of any trajectory has failed.
+    /// Returns whether no step of any trajectory has failed.
     [[nodiscard]] bool ok() const { return trajectories_.ok(); }
 
-    /// Its energy and invariants, of a state, are members where they were asked for.
+    /// Returns the stepper. Its members give the energy and invariants of a state, where the header
+    /// was generated with them.
     [[nodiscard]] const Stepper& stepper() const { return stepper_; }
 
 private:

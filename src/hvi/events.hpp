@@ -12,19 +12,20 @@
 
 namespace hvi {
 
-/// Takes steps as integrate() without events does, and looks for events on the way. Each is where
-/// a shorter step from the beginning of its own step leads, to a few units in the last place of the
-/// time, so that a method conserves there what it conserves at steps. The other steps keep their
-/// bits, unless an event jumps: then a shorter step leads to the end of the one in which it is.
+/// Takes steps as integrate() without events does, and looks for events on the way. The state at an
+/// event is found by a shorter step from the beginning of the step that contains it, to a few units
+/// in the last place of the time. So a method conserves at events what it conserves at steps. The
+/// other steps keep their bits, unless an event jumps: then a shorter step leads to the end of the
+/// step that contains it.
 ///
-/// An event is found where the sign of its function differs at both ends of a step, or, with a
-/// slope, where the function turns once within the step, beyond zero. Others are missed: two zeros
-/// in one step without a slope, or with more than one turn. Zero at the start alone is no event,
-/// nor is zero without a change of sign.
+/// Finds an event where the sign of its function differs at both ends of a step. With a slope,
+/// events are also found where the function turns once within the step, beyond zero. Other events
+/// are missed: two zeros in one step without a slope, or with more than one turn. A zero at the
+/// start alone is no event, nor is a zero without a change of sign.
 /// # Use
-/// As of integrate(): h may be negative, and a step that fails ends the run. Events within one step
-/// come in the order of time, those of one time in their own. observe(x, t) is called where steps
-/// begin and end, and at the end of the run.
+/// h may be negative, as without events, and a step that fails ends the run. Events
+/// within one step come in the order of time, and events of one time in the order of the list.
+/// observe(x, t) is called where steps begin and end, and at the end of the run.
 /// ```cpp
 /// #include <array>
 /// #include <cmath>
@@ -80,7 +81,7 @@ integrate(Stepper& stepper, typename Stepper::State& x, typename Stepper::Scalar
     return result;
 }
 
-/// Takes such steps without an observer.
+/// Takes steps with events, without an observer.
 template <class Stepper>
 EventRun<typename Stepper::Scalar>
 integrate(Stepper& stepper, typename Stepper::State& x, typename Stepper::Scalar start,

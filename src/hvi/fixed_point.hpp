@@ -16,27 +16,28 @@
 namespace hvi {
 namespace detail {
 
-/// Whether the slopes that are solved for can be moved all at once.
+/// Whether the slopes that are solved for can all be moved at once.
 template <class Coupled, class = void>
 struct CanBeNudged : std::false_type {};
 template <class Coupled>
 struct CanBeNudged<Coupled, std::void_t<decltype(std::declval<Coupled&>().nudge(1))>>
     : std::true_type {};
 
-/// Partitioned sweeps, each new value used at once: P from Lp, Lq from dHdp, Q from Lq, Lp from
-/// dHdq. For separable H one of them contracts as much as two sweeps of Jacobi's, in which Q and P
-/// come from the slopes of the sweep before. Where H couples q and p there is little in it, and
-/// equations with joint slopes are iterated as Jacobi does: neither gradient waits for the other.
+/// Partitioned sweeps that use each new value at once: P from Lp, Lq from dHdp, Q from Lq, Lp from
+/// dHdq. For separable H one partitioned sweep contracts as much as two Jacobi sweeps, which
+/// compute Q and P from the slopes of the sweep before. Where H couples q and p the gain is small,
+/// and equations with joint slopes are iterated as Jacobi does: neither gradient waits for the
+/// other.
 ///
-/// `first_order`: between two evaluations of dHdq there is a sweep with their first-order change.
+/// `first_order`: a sweep with the first-order change of dHdq follows each evaluation of dHdq.
 template <class Vector, bool first_order>
 class Sweeps {
 public:
     static constexpr int most_iterations = 200;
 
-    /// Gives up after `most` iterations, and where `ends_growth`, as soon as changes grow beyond
-    /// measure; see RoundOff. Precondition: Lq and Lp hold starting values; for
-    /// separable H Lp does.
+    /// Gives up after `most` iterations and, where `ends_growth`, as soon as changes grow too much;
+    /// see RoundOff::grows(). Precondition: Lq and Lp hold starting values; for separable H Lp
+    /// alone does.
     template <bool ends_growth = false, class Coupled>
     [[nodiscard]] Status solve(Coupled coupled, int most = most_iterations) {
         if constexpr (is_fixed) {
@@ -50,8 +51,9 @@ public:
 private:
     using Scalar = ScalarOf<Vector>;
     static constexpr Scalar rounding = 8 * epsilon<Scalar>;
-    /// NOTE: what looks at changes is on the stack where it can be: else all that is stored in
-    /// stages might be stored there, for a compiler, and sweeps took a tenth more instructions.
+    /// NOTE: the watcher of changes is on the stack where its size is fixed. Elsewhere a compiler
+    /// must assume that stores to the stages may change it, and sweeps took a tenth more
+    /// instructions.
     static constexpr bool is_fixed = fixed_size<Vector>() > 0;
     struct Nothing {};
     struct Kept {
@@ -64,8 +66,8 @@ private:
         constexpr bool is_joint = HasJointSlopes<Coupled>::value;
         if constexpr (!Coupled::separable && !is_joint) { coupled.positions(); }
         round_off.begin(coupled.s.n);
-        sweep<true>(coupled);  // what it changes is measured against values of no meaning
-        [[maybe_unused]] int nudged_in = 0;  // the iteration; 0: none so far
+        sweep<true>(coupled);                // this change is measured against values of no meaning
+        [[maybe_unused]] int nudged_in = 0;  // the iteration of the nudge; 0: none so far
         for (int iteration = 2; iteration <= most; ++iteration) {
             evaluate(coupled);
             if constexpr (CanBeNudged<Coupled>::value) {
@@ -84,7 +86,7 @@ private:
                 }
                 break;
             case Verdict::unchanged:
-                // NOTE: slopes that were nudged are not those of these stages.
+                // NOTE: slopes that were nudged do not belong to these stages.
                 if constexpr (CanBeNudged<Coupled>::value) {
                     if (nudged_in == 0 && can_nudge(iteration)) { break; }
                     if (nudged_in == iteration) { break; }
@@ -92,7 +94,8 @@ private:
                 return Status(Status::Code::ok, iteration);
             case Verdict::at_noise: finish(coupled); return Status(Status::Code::ok, iteration);
             case Verdict::not_finite:
-                // NOTE: later than in the first sweeps it is the iteration that diverges.
+                // NOTE: a value that is not finite after the first sweeps comes from a diverging
+                // iteration.
                 return Status(iteration == 2 ? Status::Code::not_finite
                                              : Status::Code::not_converged,
                               iteration);
@@ -114,13 +117,13 @@ private:
         }
     }
 
-    /// Moves slopes that are about to come to rest to one side of where they would, and in the next
-    /// step to the other side. Returns whether they were so near.
+    /// Moves slopes that are nearly at rest to one side of their limit, and in the next step to the
+    /// other side. Returns whether the slopes were near enough.
     ///
-    /// NOTE: rounded sweeps have many fixed points, or circle among a few numbers. From which side
-    /// they come decides where they end, and extrapolated slopes always come from the same side:
-    /// the energy of nonseparable drifts by -2.6e-19 of H a step with gauss:4 and h = 1/7, and with
-    /// this by 0.0 +- 0.2e-19. Where few sweeps are enough there are few such points.
+    /// NOTE: rounded sweeps have many fixed points, or circle among a few numbers. The side that
+    /// they come from decides where they end, and extrapolated slopes always come from the same
+    /// side: the energy of nonseparable drifts by -2.6e-19 of H a step with gauss:4 and h = 1/7,
+    /// and with nudges by 0.0 +- 0.2e-19. Iterations of few sweeps have few such fixed points.
     template <class Coupled>
     [[nodiscard]] static bool nudge(Coupled& coupled, RoundOff<Vector>& round_off) {
         if (!round_off.template is_near<Coupled::has_q, by_p<Coupled>>(coupled)) { return false; }
@@ -129,14 +132,14 @@ private:
         return true;
     }
 
-    /// NOTE: what is left of a nudge after the three sweeps that follow at least is a fifth of a
-    /// unit where as many sweeps as these have come to round-off. Where sweeps contract less it
-    /// would be more than what it is to mend.
+    /// NOTE: at least three sweeps follow a nudge. In iterations of this length they leave a fifth
+    /// of a unit of it. Where sweeps contract less, the rest of the nudge would exceed the error
+    /// that it mends.
     [[nodiscard]] static constexpr bool can_nudge(int iteration) {
         return 8 <= iteration && iteration <= 25;
     }
 
-    /// The slopes that belong to the last stages.
+    /// Sets the slopes at the last stages.
     template <class Coupled>
     [[gnu::always_inline]] static void close(Coupled& coupled) {
         if constexpr (HasJointSlopes<Coupled>::value) {
@@ -146,8 +149,8 @@ private:
         }
     }
 
-    /// The same, not inlined once more. NOTE: of a copy, so that nothing else may point to what the
-    /// loop works with.
+    /// Calls close() without inlining it once more. NOTE: on a copy of `coupled`, so that nothing
+    /// else may point to the data of the loop.
     template <class Coupled>
     [[gnu::noinline]] static void finish(Coupled coupled) {
         close(coupled);
@@ -164,7 +167,8 @@ private:
         coupled.positions();
     }
 
-    /// For separable H a sweep is a map of the positions alone: when they stay, all stays.
+    /// Whether changes of P are judged. For separable H a sweep is a map of the positions alone:
+    /// when they stay, all stays.
     template <class Coupled>
     static constexpr bool by_p = Coupled::has_p && !(Coupled::separable && Coupled::has_q);
 
@@ -180,12 +184,12 @@ private:
 
 /// Solver policy of generated steppers, the default.
 /// # Use
-/// The second argument of a stepper's class; systems offer their gradient and nothing else. It
-/// contracts while h is small against the fastest period 2 pi/omega: h omega < 1 is enough for
-/// Gauss' methods, and hvi::Newton is for larger steps. An iteration evaluates the gradient at each
-/// stage, and the last one is at round-off: there is no tolerance to choose. Where it grows, or
-/// does not end in 200 iterations, the status is not_converged; where a derivative of H is not
-/// finite at the beginning, not_finite.
+/// FixedPoint is the second argument of a stepper's class. The system offers its gradient and
+/// nothing else. The iteration contracts while h is small against the fastest period 2 pi/omega: h
+/// omega < 1 is enough for Gauss' methods, and hvi::Newton is for larger steps. An iteration
+/// evaluates the gradient at each stage, and the last iteration is at round-off: there is no
+/// tolerance to choose. The status is not_converged where the iteration grows or does not end in
+/// 200 iterations, and not_finite where a derivative of H is not finite at the beginning.
 /// ```cpp
 /// #include <array>
 /// #include <cmath>

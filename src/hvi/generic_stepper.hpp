@@ -12,7 +12,7 @@
 
 namespace hvi {
 
-/// The coefficients of an s-stage symplectic partitioned Runge-Kutta method.
+/// Coefficients of an s-stage symplectic partitioned Runge-Kutta method.
 template <class Scalar>
 struct Coefficients {
     std::vector<Scalar> b;
@@ -20,15 +20,16 @@ struct Coefficients {
     std::vector<std::vector<Scalar>> A_tilde;
 };
 
-/// Applies any tableau to any Hamiltonian, both known at run time only, by the formulas as the
-/// paper prints them and Jacobi's fixed-point iteration: no scaled form, no remembered values, no
-/// compensated sums. For tests; what hvi-gen writes is faster and loses less to rounding.
+/// Applies any tableau to any Hamiltonian, both known at run time only. The formulas stand as the
+/// paper prints them, solved by Jacobi's fixed-point iteration: no scaled form, no remembered
+/// values, no compensated sums. GenericStepper is for tests; steppers that hvi-gen writes are
+/// faster and lose less to rounding.
 /// # Use
-/// Of s stages b has s entries and A and A_tilde have s rows of s; q and p are std::vector of one
-/// size. A gradient writes all components of `out`, which comes with that size. h is a time in the
-/// units of H and may be negative. A step is not_finite where a value is so, and not_converged
-/// where h is so large that 1000 iterations do not end it. Steps allocate, and may throw
-/// std::bad_alloc.
+/// For s stages, b has s entries, and A and A_tilde have s rows of s entries. q and p are
+/// std::vector of one size. A gradient writes all components of `out`, which has that size already.
+/// h is a time in the units of H and may be negative. The status of a step is not_finite where a
+/// value is not finite, and not_converged where h is so large that 1000 iterations do not end it.
+/// Steps allocate, and may throw std::bad_alloc.
 /// ```cpp
 /// #include <cmath>
 /// #include <vector>
@@ -94,7 +95,7 @@ private:
     static constexpr int most_iterations = 1000;
     static constexpr Scalar tolerance = 32 * detail::epsilon<Scalar>;
 
-    /// y + h sum_j a_j f_j.
+    /// Returns y + h sum_j a_j f_j.
     [[nodiscard]] static Vector sum(const Vector& y, Scalar h, const Vector& a,
                                     const std::vector<Vector>& f) {
         Vector result = y;
@@ -106,7 +107,7 @@ private:
         return result;
     }
 
-    /// Returns how much the value changes.
+    /// Sets the value to `by`, and returns how much it changes.
     static Scalar replace(Vector& value, const Vector& by) {
         Scalar change = 0;
         for (std::size_t k = 0; k < value.size(); ++k) { change += detail::abs(by[k] - value[k]); }

@@ -8,7 +8,7 @@
 
 namespace hvi {
 
-/// What became of a run.
+/// Result of a run.
 struct [[nodiscard]] Run {
     Status status;                ///< of the last step that was tried
     std::int64_t steps = 0;       ///< taken
@@ -17,14 +17,14 @@ struct [[nodiscard]] Run {
     [[nodiscard]] bool ok() const { return status.ok(); }
 };
 
-/// Takes steps of size h from x at the time `start`, and calls observe(x, t) before the first and
-/// after each of them. A step that fails ends the run, and x is where the last good one ended. The
-/// times are start + k h, each rounded by itself, so that they do not drift.
+/// Takes steps of size h from x at the time `start`, and calls observe(x, t) before the first step
+/// and after each. A step that fails ends the run, and x is then the state after the last good
+/// step. The times are start + k h, each rounded by itself, so that they do not drift.
 /// # Use
-/// `stepper` is of a class that hvi-gen has written, h is a time in the units of H and may be
-/// negative; of `steps` that are not positive none is taken. observe(x, t) gets a const
-/// Stepper::State& and a Stepper::Scalar, and what it throws comes out. NOTE: `start` is for the
-/// observer alone; where H depends on the time, a step begins at the time x.t.
+/// `stepper` is of a class that hvi-gen has written. h is a time in the units of H and may be
+/// negative. No step is taken where `steps` is not positive. observe(x, t) gets a const
+/// Stepper::State& and a Stepper::Scalar, and its exceptions leave integrate(). NOTE: `start` is
+/// for the observer alone; where H depends on the time, a step begins at the time x.t.
 /// ```cpp
 /// #include <array>
 /// #include <cmath>
@@ -83,7 +83,7 @@ Run integrate(Stepper& stepper, typename Stepper::State& x, typename Stepper::Sc
     return run;
 }
 
-/// The same without an observer.
+/// Takes steps without an observer.
 template <class Stepper>
 Run integrate(Stepper& stepper, typename Stepper::State& x, typename Stepper::Scalar start,
               typename Stepper::Scalar h, std::int64_t steps) {

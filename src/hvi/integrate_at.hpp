@@ -10,12 +10,13 @@
 
 namespace hvi {
 
-/// Takes steps of size h from x at the time `start`, as many as it takes to pass all `times`, and
-/// calls observe(y, t) at each of these: y is the state there, by a shorter step from the beginning
-/// of the step that the time is in. The steps have the same bits as those of integrate().
+/// Takes steps of size h from x at the time `start` until all `times` are passed, and calls
+/// observe(y, t) at each of the times. y is the state there, reached by a shorter step from the
+/// beginning of the step that contains the time. The steps have the same bits as those of
+/// integrate().
 /// # Use
-/// `times` go on as the run does: they ascend where h is positive, and descend where it is
-/// negative. Those before the start are left out. x is the state at the end of the last step.
+/// `times` ascend where h is positive, and descend where h is negative. Times before the start are
+/// left out. x becomes the state at the end of the last step.
 /// ```cpp
 /// #include <array>
 /// #include <cmath>

@@ -73,7 +73,7 @@ public:
 
     [[nodiscard]] bool is_finite() const { return jacobian_.allFinite(); }
 
-    /// False where the Jacobian is singular, or not finite.
+    /// Factors the Jacobian. Returns false where it is singular, or not finite.
     [[nodiscard]] bool factorise() {
         if (!is_finite()) { return false; }
         factors_.compute(jacobian_);
@@ -100,18 +100,19 @@ private:
 ///     void d2Hdqdp(const Vector& q, const Vector& p, Matrix& out) const;
 ///     void d2Hdp2(const Vector& q, const Vector& p, Matrix& out) const;
 ///
-/// with Matrix = Eigen::MatrixXd where the vectors hold doubles, else Eigen::MatrixX<float> or
-/// Eigen::MatrixX<long double>, and out(i, j) the derivative by q_i and p_j in the second; for
-/// separable H d2Hdq2(q, out) and d2Hdp2(p, out). `out` comes as a zero matrix of the right size.
+/// The type Matrix is Eigen::MatrixXd where the vectors hold doubles, else Eigen::MatrixX<float> or
+/// Eigen::MatrixX<long double>. In d2Hdqdp, out(i, j) is the derivative by q_i and p_j. For
+/// separable H the functions are d2Hdq2(q, out) and d2Hdp2(p, out). `out` comes as a zero matrix of
+/// the right size.
 ///
 /// The factors of the Jacobian are kept over iterations and steps while the iteration contracts
-/// well. They are forgotten with the state that they belong to and when h changes.
+/// well. They are dropped when h changes, and when a step does not begin where the last one ended.
 /// # Use
-/// The second argument of a stepper's class, for float, double and long double; it needs Eigen. A
-/// Jacobian has a row for each unknown component of the stages, s n of them for s stages and n
-/// degrees of freedom, or twice as many, and its factors cost the cube of that. A step ends at
-/// round-off, without a tolerance; else its status is singular, not_finite, or not_converged after
-/// 60 iterations.
+/// Newton is the second argument of a stepper's class, for float, double and long double. It needs
+/// Eigen. The Jacobian has a row for each unknown component of the stages: s n rows for s stages
+/// and n degrees of freedom, or twice as many. Factoring it costs the cube of that number. A step
+/// ends at round-off, without a tolerance. Else its status is singular, not_finite, or
+/// not_converged after 60 iterations.
 /// ```cpp
 /// #include <array>
 /// #include <cmath>

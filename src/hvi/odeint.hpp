@@ -11,7 +11,8 @@
 
 namespace hvi {
 
-/// A step that failed, where an algorithm of Boost.Odeint took it. The state is the last good one.
+/// Exception for a step that failed within an algorithm of Boost.Odeint. The state is the last good
+/// one.
 class StepFailure : public std::runtime_error {
 public:
     explicit StepFailure(Status status) : std::runtime_error(status.message()), status_(status) {}
@@ -22,13 +23,13 @@ private:
     Status status_;
 };
 
-/// A stepper of Boost.Odeint for algorithms with steps of constant size, `integrate_const` and the
-/// like. The stepper knows its system: the one that Odeint hands on is not looked at. NOTE: Odeint
-/// copies steppers; with std::ref(stepper) a later call goes on with what this one remembers.
+/// A stepper of Boost.Odeint for algorithms with steps of constant size, such as `integrate_const`.
+/// The stepper knows its system and ignores the one that Odeint passes. NOTE: Odeint copies
+/// steppers; with std::ref(stepper) a later call goes on with the memory of this stepper.
 /// # Use
-/// `Stepper` is a class that hvi-gen has written, and the state of Odeint its State. Times are in
-/// the units of H; that of Odeint is for observers alone: where H depends on the time, a step
-/// begins at the time x.t. A step that fails throws StepFailure, and x is the last good state.
+/// `Stepper` is a class that hvi-gen has written, and the state of Odeint is its State. Times are
+/// in the units of H. The time of Odeint is for observers alone: where H depends on the time, a
+/// step begins at the time x.t. A step that fails throws StepFailure, and x is the last good state.
 /// ```cpp
 /// #include <array>
 /// #include <cmath>
@@ -71,7 +72,7 @@ public:
 
     explicit Odeint(Stepper stepper = Stepper{}) : stepper_(std::move(stepper)) {}
 
-    /// Throws StepFailure.
+    /// Advances x by a step of size h. Throws StepFailure where the step fails.
     template <class System>
     void do_step(const System&, state_type& x, time_type, time_type h) {
         const Status status = stepper_.step(x, h);
@@ -82,7 +83,7 @@ private:
     Stepper stepper_;
 };
 
-/// For where Odeint asks for the right side of an equation.
+/// Argument for Odeint's parameter `system`, which Odeint<Stepper> ignores.
 inline constexpr struct NoSystem {
 } no_system{};
 

@@ -8,12 +8,13 @@
 
 namespace hvi {
 
-/// The rotation of a quaternion w, x, y, z of any length but 0, row by row.
+/// Returns the rotation matrix, row by row, of a quaternion w, x, y, z of any length but 0.
 /// # Use
-/// For the members R of states of scenes with rotations, which take body to space, and back:
-/// quaternion_of() gives the one of length 1 with w >= 0 that is nearest to a matrix. A rotation of
-/// `angle` radians about an axis of length 1 is (cos(angle/2), sin(angle/2) axis). Both are right
-/// to a few units in the last place of 1. Of zeros, and of what is no number, there are no numbers.
+/// The members R of states of scenes with rotations take body to space. rotation_of() makes such a
+/// matrix from a quaternion; quaternion_of() gives the quaternion of length 1 with w >= 0 that is
+/// nearest to a matrix. A rotation of `angle` radians about an axis of length 1 is (cos(angle/2),
+/// sin(angle/2) axis). Both functions are right to a few units in the last place of 1. A quaternion
+/// of zeros, or one with a NaN, gives NaN.
 /// ```cpp
 /// #include <array>
 /// #include <cmath>
@@ -39,10 +40,10 @@ template <class Scalar>
             s * (x * z - w * y),     s * (y * z + w * x),     1 - s * (x * x + y * y)};
 }
 
-/// The quaternion w, x, y, z of a rotation; see rotation_of().
+/// Returns the quaternion w, x, y, z of a rotation; see rotation_of().
 ///
-/// NOTE: from the row with the largest of 4 w^2, 4 x^2, 4 y^2 and 4 z^2, as the others may be small
-/// differences (Shepperd, Journal of Guidance and Control 1, 1978).
+/// NOTE: computed from the row with the largest of 4 w^2, 4 x^2, 4 y^2 and 4 z^2, as the others may
+/// be small differences (Shepperd, Journal of Guidance and Control 1, 1978).
 template <class Scalar>
 [[nodiscard]] std::array<Scalar, 4> quaternion_of(const std::array<Scalar, 9>& R) {
     using std::sqrt;

@@ -10,11 +10,11 @@ namespace hvi {
 
 /// Positions q and momenta p, of the same dimension.
 /// # Use
-/// `Vector` is std::array<T, n> or a vector of Eigen, fixed or dynamic, and T float, double, long
-/// double or __float128. p[k] is the momentum of q[k]. Units are the caller's: those of q[k] p[k]
-/// are those of H times those of h. A stepper moves a state to where it is a time h later. Where it
-/// cannot, since a value is not finite, q and p differ in dimension or the equations of the step
-/// are not solved, it throws nothing: its Status says why, and the state has kept its bits.
+/// `Vector` is std::array<T, n> or a vector of Eigen, fixed or dynamic, and T is float, double,
+/// long double or __float128. p[k] is the momentum of q[k]. Units are the caller's: the unit of
+/// q[k] p[k] is that of H times that of h. A stepper advances a state by the time h. A step fails
+/// where a value is not finite, q and p differ in dimension, or the equations of the step are not
+/// solved. It then throws nothing: its Status says why, and the state has kept its bits.
 /// ```cpp
 /// #include <array>
 /// #include <cmath>
@@ -54,7 +54,7 @@ struct State {
     Vector p{};
 };
 
-/// What became of a step. Unless it is ok, the state has kept its bits.
+/// Result of a step. Unless it is ok, the state has kept its bits.
 class [[nodiscard]] Status {
 public:
     enum class Code {
@@ -67,7 +67,7 @@ public:
         pole,                 ///< the method does not exist at this parameter, or very near it
         zero_weight,          ///< a weight is zero at this parameter, or very near it
         parameter_too_large,  ///< the coefficients are not computed so far out
-        not_a_rotation,       ///< a matrix of the state is none
+        not_a_rotation,       ///< a matrix of the state is no rotation
         outside_chart,        ///< a body turns by 2 pi or more in the step: try a smaller h
     };
 
@@ -77,7 +77,7 @@ public:
     [[nodiscard]] constexpr bool ok() const { return code_ == Code::ok; }
     [[nodiscard]] constexpr Code code() const { return code_; }
 
-    /// One line without a full stop, for people.
+    /// Returns one line without a full stop, for people.
     [[nodiscard]] constexpr const char* message() const {
         switch (code_) {
         case Code::ok: return "ok";

@@ -4,10 +4,10 @@
 
 namespace hvi {
 
-/// The version of these headers.
+/// Version of these headers.
 /// # Use
-/// A program may ask for a version, and generated headers ask for their format themselves: while
-/// they are compiled, so that an answer of no is an error with its reason.
+/// A program may check the version in a static_assert. Generated headers check their format in the
+/// same way, so that a mismatch is a compile error with its reason.
 /// ```cpp
 /// #include <utility>
 ///
@@ -26,9 +26,9 @@ inline constexpr int version_major = 0;
 inline constexpr int version_minor = 1;
 inline constexpr int version_patch = 0;
 
-/// Generated headers name the format of their calls into the runtime; this one is understood. It
-/// changes where a header that was written before would not compile any more, or mean something
-/// else.
+/// Format of the calls of generated headers into the runtime: each header names its own, and this
+/// one is understood. The number changes where headers written before would no longer compile, or
+/// would mean something else.
 inline constexpr int runtime_format = 13;
 
 [[nodiscard]] constexpr bool supports_format(int wanted) { return wanted == runtime_format; }

@@ -40,7 +40,7 @@ struct State {
     Vector p{};
 };
 
-/// What became of a step. Unless it is ok, the state has kept its bits.
+/// Result of a step. Unless it is ok, the state has kept its bits.
 class [[nodiscard]] Status {
 public:
     enum class Code {
@@ -53,7 +53,7 @@ public:
         pole,                 ///< the method does not exist at this parameter, or very near it
         zero_weight,          ///< a weight is zero at this parameter, or very near it
         parameter_too_large,  ///< the coefficients are not computed so far out
-        not_a_rotation,       ///< a matrix of the state is none
+        not_a_rotation,       ///< a matrix of the state is no rotation
         outside_chart,        ///< a body turns by 2 pi or more in the step: try a smaller h
     };
 
@@ -63,7 +63,7 @@ public:
     [[nodiscard]] constexpr bool ok() const { return code_ == Code::ok; }
     [[nodiscard]] constexpr Code code() const { return code_; }
 
-    /// One line without a full stop, for people.
+    /// Returns one line without a full stop, for people.
     [[nodiscard]] constexpr const char* message() const {
         switch (code_) {
         case Code::ok: return "ok";
@@ -97,8 +97,9 @@ private:
 // The numbers that a stepper computes in: float, double, long double, or __float128.
 // SPDX-License-Identifier: MIT
 //
-// NOTE: needs the standard library alone; see state.hpp. Of __float128 the standard library knows
-// nothing under -std=c++17: what is needed stands here and in arithmetic.hpp, without libquadmath.
+// NOTE: needs the standard library alone; see state.hpp. Under -std=c++17 the standard library
+// knows nothing of __float128: what is needed stands here and in arithmetic.hpp, without
+// libquadmath.
 #ifndef HVI_SCALAR_HPP
 #define HVI_SCALAR_HPP
 
@@ -109,8 +110,8 @@ private:
 
 namespace hvi::detail {
 
-/// What a vector holds, std::array's or Eigen's or a user's own: what its operator[] refers to, or
-/// what it says itself by a specialisation.
+/// Type of the numbers in a vector of std::array, Eigen or a user. It is the type that operator[]
+/// refers to, unless a specialisation names another one.
 template <class Vector>
 struct HeldBy {
     using type = std::remove_reference_t<decltype(std::declval<Vector&>()[0])>;
@@ -124,8 +125,8 @@ inline constexpr bool is_standard =
     std::is_same_v<Scalar, float> || std::is_same_v<Scalar, double> ||
     std::is_same_v<Scalar, long double>;
 
-/// The bits of the mantissa, the leading one included. They name the format, not the type does:
-/// long double is one of 53, 64, 113 bits or a pair of doubles, as the machine has it.
+/// Returns the bits of the mantissa, the leading one included. They name the format, which the type
+/// does not: long double has 53, 64 or 113 bits or is a pair of doubles, depending on the machine.
 template <class Scalar>
 [[nodiscard]] constexpr int count_bits() {
     if constexpr (std::numeric_limits<Scalar>::is_specialized) {
@@ -142,11 +143,12 @@ template <class Scalar>
 template <class Scalar>
 inline constexpr int bits = count_bits<Scalar>();
 
-/// Whether it may be a number: a class says so, and what its `bits` are, by specialisations.
+/// Whether a type may be a number. A class is one by a specialisation, with one of `bits`.
 template <class Scalar>
 inline constexpr bool is_number = !std::is_class_v<Scalar>;
 
-/// Whether there are coefficients for it: a floating-point number of 24, 53, 64 or 113 bits.
+/// Returns whether there are coefficients for a type: a floating-point number of 24, 53, 64 or 113
+/// bits.
 template <class Scalar>
 [[nodiscard]] constexpr bool is_supported() {
     if constexpr (!is_number<Scalar> || std::is_const_v<Scalar> ||
@@ -186,7 +188,7 @@ template <class Scalar>
 
 namespace hvi::detail {
 
-/// The type in which a vector counts: std::size_t of std::array, a signed one of Eigen.
+/// Index type of a vector: std::size_t for std::array, a signed one for Eigen.
 template <class Vector>
 using IndexOf = std::decay_t<decltype(std::declval<const Vector&>().size())>;
 
@@ -201,7 +203,7 @@ struct HasSizeOfEigen : std::false_type {};
 template <class Vector>
 struct HasSizeOfEigen<Vector, std::void_t<decltype(Vector::SizeAtCompileTime)>> : std::true_type {};
 
-/// The dimension that is part of the type of a vector, of std::array or of Eigen; else 0.
+/// Returns the dimension that is part of the type of a vector, of std::array or of Eigen; else 0.
 template <class Vector>
 [[nodiscard]] constexpr std::size_t fixed_size() {
     if constexpr (HasTupleSize<Vector>::value) {
@@ -214,7 +216,7 @@ template <class Vector>
     }
 }
 
-/// Whether a vector holds n of these numbers, whatever happens.
+/// Returns whether a vector always holds n numbers of the type Number.
 template <class Vector, class Number, std::size_t n>
 [[nodiscard]] constexpr bool is_fixed_vector() {
     return std::is_same_v<ScalarOf<Vector>, Number> && fixed_size<Vector>() == n;
@@ -258,7 +260,7 @@ struct HasSeparableGradients<
                 decltype(std::declval<const System&>().dHdp(
                     std::declval<const Vector&>(), std::declval<Vector&>()))>> : std::true_type {};
 
-/// Says in words what a class lacks that is to be a Hamiltonian system.
+/// Fails to compile with a message about what a class lacks to be a Hamiltonian system.
 template <class System, bool separable>
 constexpr bool check_system() {
     static_assert(HasVector<System>::value,
@@ -282,14 +284,14 @@ constexpr bool check_system() {
     return true;
 }
 
-/// Component k of a vector that counts in whatever type.
+/// Returns component k of a vector with any index type.
 template <class Vector>
 [[nodiscard]] constexpr decltype(auto) at(Vector& v, std::size_t k) {
     return v[static_cast<IndexOf<std::decay_t<Vector>>>(k)];
 }
 
-/// Gives v the dimension n, filled with zeros where that is new. Allocates only then, and only
-/// where the dimension is dynamic.
+/// Gives v the dimension n, and fills it with zeros where that is new. Allocates only then, and
+/// only where the dimension is dynamic.
 template <class Vector>
 constexpr void fit(Vector& v, IndexOf<Vector> n) {
     if constexpr (HasResize<Vector>::value) {
@@ -299,8 +301,8 @@ constexpr void fit(Vector& v, IndexOf<Vector> n) {
     }
 }
 
-/// A vector to compute in: a new one, which lives in registers, where the dimension is part of the
-/// type; the caller's `own` where it is not, so that nothing is allocated.
+/// Returns a vector to compute in: a new one, which lives in registers, where the dimension is part
+/// of the type; otherwise the caller's `own`, so that nothing is allocated.
 template <class Vector>
 [[nodiscard]] constexpr std::conditional_t<HasResize<Vector>::value, Vector&, Vector>
 scratch(Vector& own) {
@@ -311,7 +313,7 @@ scratch(Vector& own) {
     }
 }
 
-/// Whether the compiler computes this; false where it does not tell.
+/// Returns whether the compiler evaluates this; false where it does not tell.
 [[nodiscard]] constexpr bool is_constant_evaluated() {
 #ifdef __has_builtin
 #if __has_builtin(__builtin_is_constant_evaluated)
@@ -321,12 +323,12 @@ scratch(Vector& own) {
     return false;
 }
 
-/// What same_bits() says of two numbers that a compiler computes, which has no bits to compare.
+/// Returns same_bits() of two numbers in a constant expression, where bits cannot be compared.
 template <class Scalar>
 [[nodiscard]] constexpr bool same_constant(Scalar x, Scalar y) {
 #ifdef __has_builtin
 #if __has_builtin(__builtin_copysign)
-    // NOTE: the sign of 0 alone, as others may be beyond the range of double.
+    // NOTE: only the sign of 0, as other numbers may be beyond the range of double.
     if constexpr (!std::is_class_v<Scalar>) {
         return x == y && (x != 0 || __builtin_copysign(1.0, static_cast<double>(x)) ==
                                         __builtin_copysign(1.0, static_cast<double>(y)));
@@ -336,7 +338,7 @@ template <class Scalar>
     return x == y;
 }
 
-/// Whether a and b agree bit for bit, -0.0 and 0.0 being different.
+/// Returns whether a and b agree bit for bit, -0.0 and 0.0 being different.
 template <class Vector>
 [[nodiscard]] constexpr bool same_bits(const Vector& a, const Vector& b) {
     if (a.size() != b.size()) { return false; }
@@ -348,13 +350,13 @@ template <class Vector>
         }
         return same;
     }
-    // NOTE: of the 64-bit format ten bytes are the number, the others are padding.
+    // NOTE: in the 64-bit format ten bytes are the number, the others are padding.
     constexpr std::size_t bytes = bits<Scalar> == 64 ? 10 : sizeof(Scalar);
     constexpr std::size_t words = (bytes + 7) / 8;
     std::uint64_t difference = 0;
     for (IndexOf<Vector> k = 0; k < a.size(); ++k) {
-        // NOTE: of copies, since g++ keeps what is copied here in registers of integers, and the
-        // next step would wait for it to come back.
+        // NOTE: copies, since g++ keeps the vectors that are copied here in registers of integers,
+        // and the next step would wait for them to come back.
         const Scalar x = a[k];
         const Scalar y = b[k];
         std::uint64_t left[words] = {};
@@ -366,11 +368,11 @@ template <class Vector>
     return difference == 0;
 }
 
-/// 0 where all components are finite, else no number.
+/// Returns 0 where all components are finite, else NaN.
 template <class Vector>
 [[nodiscard]] constexpr ScalarOf<Vector> zero_if_finite(const Vector& v) {
-    // NOTE: x - x is 0, or no number where x is infinite or none. Two sums, since each waits for
-    // itself alone.
+    // NOTE: x - x is 0, or NaN where x is infinite or NaN. Two sums, since each waits for itself
+    // alone.
     ScalarOf<Vector> even = 0;
     ScalarOf<Vector> odd = 0;
     IndexOf<Vector> k = 0;
@@ -382,17 +384,19 @@ template <class Vector>
     return even + odd;
 }
 
-/// Whether all components of both are finite. One test of a sum is cheaper than one of each.
+/// Returns whether all components of both are finite. One test of a sum is cheaper than one of
+/// each.
 template <class Vector>
 [[nodiscard]] constexpr bool finite(const Vector& q, const Vector& p) {
     return zero_if_finite(q) + zero_if_finite(p) >= 0;
 }
 
-/// to = from, which are of one dimension.
+/// Sets to = from; both have one dimension.
 template <class Vector>
 constexpr void copy(const Vector& from, Vector& to) {
-    // NOTE: four at a time. Of an assignment, or a loop over single components, g++ makes a call of
-    // memcpy where there are many, and the next step waits: what it loads was stored in two parts.
+    // NOTE: four at a time. For an assignment, or a loop over single components, g++ calls memcpy
+    // where there are many components. The next step then waits: it loads values that were stored
+    // in two parts.
     IndexOf<Vector> k = 0;
     for (; k + 3 < from.size(); k += 4) {
         to[k] = from[k];

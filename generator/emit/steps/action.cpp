@@ -10,7 +10,7 @@ namespace hvi::gen {
 
 namespace {
 
-/// Where the stage has its value when the step is taken, and x not moved.
+/// Returns the C++ name of a stage value when the step is taken, before x is moved.
 std::string value_of(const Step& step, const StageValue& value, std::size_t i, bool is_q) {
     // NOTE: a separable step keeps no copy of the state as a stage.
     const auto place = step.is_separable() ? value.place : StageValue::Place::inner;
@@ -31,7 +31,7 @@ std::string momentum(const Step& step, std::size_t j) {
     return value_of(step, step.momenta[j], j, false);
 }
 
-/// H(q, p), or L(q, v): what `function` of the system is.
+/// Returns the call of H(q, p) or L(q, v), the `function` of the system.
 std::string value_at(std::string_view function, const std::string& q, const std::string& p,
                      const std::string& time) {
     return fmt::format("system_.{}({}, {}{}{})", function, q, p, time.empty() ? "" : ", ", time);
@@ -45,7 +45,7 @@ std::string energy_of_stage(const Step& step, std::size_t i, const std::string& 
     return energy(position(step, i), p, time_of_stage(step, std::to_string(i), "s_"));
 }
 
-/// H at the stages.
+/// Adds up H at the stages.
 void take_energies(Writer& writer, const Step& step) {
     for (std::size_t i = 0; i < step.positions.size(); ++i) {
         writer.line("sum += {} * {};", force_factor(step, i, "s_"),
@@ -53,8 +53,8 @@ void take_energies(Writer& writer, const Step& step) {
     }
 }
 
-/// The same where H = T(p) + U(q) and several stages may have one position or one momentum, so that
-/// there are no pairs.
+/// Adds up H at the stages where H = T(p) + U(q) and several stages may have one position or one
+/// momentum, so that there are no pairs.
 void take_energies_of_merged(Writer& writer, const Step& step) {
     writer.comment("NOTE: H = T(p) + U(q), of stages with positions or momenta in common. With p "
                    "at the end H(Q_i, p) is U(Q_i) + T(p); then T(P_j) - T(p) is added for each "
@@ -72,7 +72,7 @@ void take_energies_of_merged(Writer& writer, const Step& step) {
     }
 }
 
-/// The members, of a discrete Hamiltonian of that number.
+/// Returns the members for the discrete Hamiltonian of the equation with that number.
 std::string action_text(std::string_view equation) {
     Writer writer(1);
     writer
@@ -95,7 +95,7 @@ std::string action_text(std::string_view equation) {
     return writer.str();
 }
 
-/// See (4.19).
+/// Returns the member integral_over_step() of (4.19).
 std::string integral_text(const Step& step, const PairStep&) {
     Writer writer(1);
     writer
@@ -115,7 +115,7 @@ std::string integral_text(const Step& step, const PairStep&) {
     return writer.line("return sum;").close().str();
 }
 
-/// See (4.2).
+/// Returns the member integral_over_step() of (4.2).
 std::string integral_text(const Step& step, const GalerkinStep& form) {
     const bool has_H = form.side == Side::hamiltonian;
     const std::string time = time_of_stage(step, "i", "s_");

@@ -94,7 +94,8 @@ std::string_view conserved_text(const Step& step) {
            "method conserves q^T C p for constant C.";
 }
 
-/// What it is, its basis, what it conserves, and negative weights.
+/// Returns a description of the method: its kind, its basis, its conserved quantities, and negative
+/// weights.
 std::string described(const Provenance& provenance, const std::string& kind,
                       std::string_view conserved, const NumberVector& b) {
     Writer writer(0);
@@ -111,7 +112,7 @@ std::string described(const Provenance& provenance, const std::string& kind,
     return writer.str();
 }
 
-/// What it is for.
+/// Returns the kind of functions that the step is for.
 std::string_view functions_of(const Step& step) {
     const auto* galerkin = std::get_if<GalerkinStep>(&step.form);
     if (galerkin != nullptr && galerkin->side == Side::lagrangian) { return "Lagrangians"; }
@@ -146,7 +147,7 @@ std::string choices_text(const Step& step) {
     return writer.str();
 }
 
-/// What was found in the H of a scene, and what it costs.
+/// Returns the facts found in the H of a scene, and the costs of a step.
 std::string scene_text(const Step& step, const System& system, const Evaluations& evaluations) {
     Writer writer(0);
     writer.line("//").comment(fmt::format("Found in {}:", system.function_letter())).line("//");
@@ -158,7 +159,7 @@ std::string scene_text(const Step& step, const System& system, const Evaluations
     return writer.str();
 }
 
-/// The command as one line that ends no comment and continues none.
+/// Returns the command as one line that neither ends a comment nor continues one.
 std::string one_line(std::string_view command) {
     std::string text;
     for (const char c : command) { text += static_cast<unsigned char>(c) < ' ' ? ' ' : c; }

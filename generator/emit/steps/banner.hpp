@@ -1,4 +1,4 @@
-// How a header opens.
+// First comment of a header.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -8,7 +8,8 @@
 
 namespace hvi::gen {
 
-/// What made the header, from what, the exact tableau, and what was left out.
+/// Returns the first comment of a header: its command, its sources, the exact tableau, and the
+/// decisions of the plan.
 [[nodiscard]] std::string banner(const OneStepMethod& method, const Step& step,
                                  const EmitOptions& options);
 

@@ -10,7 +10,8 @@ namespace hvi::gen {
 
 namespace {
 
-/// NOTE: the equations of a step with a clock hold a reference to it.
+/// Returns the type of the stage equations. NOTE: with a clock the equations hold a reference to
+/// it.
 std::string equations_type(const Step& step) {
     return fmt::format("hvi::detail::CoupledCharts<System, Stages{}>",
                        step.depends_on_time()
@@ -18,10 +19,10 @@ std::string equations_type(const Step& step) {
                            : "");
 }
 
-/// Texts of a step that tell how a state has its numbers.
+/// Texts of a step for access to the numbers of a state.
 struct StateTexts {
     std::string_view begin;  ///< before the step
-    std::string_view state;  ///< the numbers in a row
+    std::string_view state;  ///< name of the numbers in a row
     std::string_view end;    ///< after the step
 };
 constexpr StateTexts in_members{"hvi::detail::ChartState<Space> at = flat(x);", "at",
@@ -82,7 +83,7 @@ std::string coupled_text(const Step& step) {
     return writer.str();
 }
 
-/// The member position(tau): coordinates and rotations on the curve of the step.
+/// Returns the member position(tau): coordinates and rotations on the curve of the step.
 std::string curve_member(const Step& step, const Curve& curve) {
     const bool is_straight = curve.F.front().empty();
     Writer writer(1);

@@ -7,7 +7,7 @@
 namespace hvi::gen {
 namespace {
 
-/// The text where H depends on time.
+/// Returns the text where H depends on time, else nothing.
 std::string timed(const Step& step, std::string_view text) {
     return step.depends_on_time() ? std::string(text) : std::string();
 }

@@ -22,7 +22,7 @@ std::string index_list(std::string_view name, const std::vector<std::size_t>& in
     return writer.str();
 }
 
-/// The new values of Q, or of P, and how much they change.
+/// Returns the lines that set Q, or P, and how much they change.
 std::string stage_values(const std::vector<std::size_t>& indices, std::string_view letter,
                          std::string_view y, bool measured, const auto& sum) {
     if (indices.empty()) { return {}; }
@@ -72,7 +72,7 @@ std::string joint_slopes(const Step& step, const std::vector<std::size_t>& indic
     return writer.str();
 }
 
-/// Members that evaluate H.
+/// Returns the members that evaluate H.
 std::string slopes(const Step& step, const Block& block) {
     Writer writer(2);
     if (step.slopes == Slopes::joint) {
@@ -91,7 +91,8 @@ std::string slopes(const Step& step, const Block& block) {
     return writer.close().str();
 }
 
-/// NOTE: with q, or p, since a stage may be near 0 where that is not.
+/// Returns the size that the rounding of Q, or P, is compared with. NOTE: it includes q, or p,
+/// since a stage may be near 0 where q or p is not.
 std::string size(const std::vector<std::size_t>& values, std::string_view letter,
                  const std::vector<std::size_t>& slopes, std::string_view slope_letter) {
     if (values.empty()) { return "return 0;"; }
@@ -105,7 +106,7 @@ std::string size(const std::vector<std::size_t>& values, std::string_view letter
     return Writer(3).line("return {};", sum).str();
 }
 
-/// Besides the system and the stages.
+/// Returns the members besides the system and the stages.
 std::string members(const Step& step) {
     return Writer(2).insert(coefficients_reference(step)).insert(clock_reference(step)).str();
 }

@@ -9,7 +9,7 @@ namespace {
 
 // ---- the table ----
 
-/// F with the rows of equal stages, which have one slope, added up.
+/// Returns F with the rows of equal stages, which have one slope, added up.
 NumberMatrix of_stages(const std::vector<StageValue>& values, const Curve& curve) {
     NumberMatrix result;
     for (const StageValue& value : values) {
@@ -29,21 +29,21 @@ NumberMatrix without_weights(NumberMatrix F, const std::vector<StageValue>& valu
     return F;
 }
 
-/// Slopes of Lq_j = h b_j dH/dp(Q_j, P_j): F_jk/b_j.
+/// Returns the table for the slopes Lq_j = h b_j dH/dp(Q_j, P_j): F_jk/b_j.
 NumberMatrix of_velocities(const Step& step, const Curve& curve) {
     return without_weights(of_stages(step.momenta, curve), step.momenta);
 }
 
-/// Slopes of Lp_i = -h b_i dH/dq(Q_i, P_i): F_ik/b_i. NOTE: with more nodes than functions F has a
-/// row for each node that has a weight, as there is a position for each.
+/// Returns the table for the slopes Lp_i = -h b_i dH/dq(Q_i, P_i): F_ik/b_i. NOTE: with more nodes
+/// than functions F has a row for each node with a weight, as there is a position for each.
 NumberMatrix of_kicks(const Step& step, const Curve& curve) {
     const bool is_general =
         curve.of_forces.has_value() || std::holds_alternative<GalerkinStep>(step.form);
     return without_weights(is_general ? curve.F : of_stages(step.positions, curve), step.positions);
 }
 
-/// Of W_i, with h dH/dp(P_j) = h v + sum_i mt_ji W_i: sum_j mt_ji F_jk. NOTE: h v comes with
-/// sum_j F_jk = 0, as the phi_j add up to 1, the curve of which is its chord.
+/// Returns the table for the W_i, sum_j mt_ji F_jk, as h dH/dp(P_j) = h v + sum_i mt_ji W_i. NOTE:
+/// h v has the factor sum_j F_jk = 0, as the phi_j add up to 1, whose curve is its chord.
 NumberMatrix of_forces(const Step& step, const Curve& curve) {
     const NumberMatrix F = of_stages(step.momenta, curve);
     NumberMatrix result(step.positions.size(), NumberVector(F.front().size()));
@@ -58,14 +58,14 @@ NumberMatrix of_forces(const Step& step, const Curve& curve) {
     return result;
 }
 
-/// The same of the general form.
+/// Returns the table for the W_i of the general form.
 NumberMatrix of_nodes(const Step& step, const NumberMatrix& F) {
     NumberMatrix result;
     for (const StageValue& value : step.positions) { result.push_back(F[value.stages.front()]); }
     return result;
 }
 
-/// Of W_j, with h U_i = sum_j phi_ij W_j.
+/// Returns the table for the W_j of the curve, as h U_i = sum_j phi_ij W_j.
 NumberMatrix of_curve(const GalerkinForm& form, const Curve& curve) {
     NumberMatrix result(form.functions(), NumberVector(curve.F.front().size()));
     for (std::size_t j = 0; j < form.functions(); ++j) {
@@ -89,7 +89,8 @@ NumberMatrix of_slopes(const Step& step, const Curve& curve) {
     return curve.of_forces ? of_nodes(step, *curve.of_forces) : of_forces(step, curve);
 }
 
-/// NOTE: momenta of bodies that turn are none of a vector space.
+/// Returns whether momenta are in a vector space. NOTE: angular momenta of bodies that turn are
+/// not.
 bool has_momenta(const Step& step) { return !std::holds_alternative<ChartStep>(step.form); }
 
 bool is_straight(const Curve& curve) { return curve.F.front().empty(); }
@@ -105,7 +106,7 @@ std::vector<Constant> rates(const Curve& curve) {
     return result;
 }
 
-/// `tau * tau * tau`
+/// Returns `tau * tau * tau`, a power of tau.
 std::string power(unsigned exponent) {
     std::string text = "tau";
     for (unsigned i = 1; i < exponent; ++i) { text += " * tau"; }
@@ -177,15 +178,15 @@ void write_table(Writer& writer, std::string_view name, const NumberMatrix& exac
     table(writer, name, rows);
 }
 
-/// A member of the class: the letter of a variable, by how much its curve departs from the chord
-/// for each slope, and the increment of the step.
+/// A member of the class: the letter of a variable, the distance of its curve from the chord for
+/// each slope, and the increment of the step.
 struct CurveMember {
     std::string_view name;   ///< `position`
     char letter;             ///< q or p
     std::string_view table;  ///< `curve`
     std::string chord;
-    std::vector<std::string> slopes;  ///< their component k
-    std::string_view remainder;       ///< of the end; empty where it is left out
+    std::vector<std::string> slopes;  ///< component k of each slope
+    std::string_view remainder;       ///< remainder at the end; empty where it is left out
 };
 
 void write_member(Writer& writer, const Step& step, const Curve& curve, const CurveMember& member) {

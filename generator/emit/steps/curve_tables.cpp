@@ -118,7 +118,7 @@ NumberVector inverses(const NumberVector& numbers) {
     return result;
 }
 
-/// NOTE: the action takes several in a row as one: see composed_step.hpp.in.
+/// NOTE: the action counts several steps in a row as one: see composed_step.hpp.in.
 std::string end_of_curve(const Step& step, const SceneWishes& wishes) {
     const std::string end = end_of_step(step, "status.iterations");
     if (wishes.action && step.in_a_row.empty()) {

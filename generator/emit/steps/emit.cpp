@@ -32,7 +32,7 @@ bool has_seldom_solvers(const Step& step) {
 std::string emit_class(const OneStepMethod& method, const Step& step, const EmitOptions& options) {
     std::string text = text_of(method, step, options);
     if (!options.wishes.invariants) { return text; }
-    // NOTE: tables of ours give way to invariants that are members.
+    // NOTE: tables of the stepper give way to invariants that are members.
     for (const SystemValue& invariant : options.system->invariants) {
         text = with_other_tables(text, invariant.name);
     }

@@ -13,7 +13,7 @@
 namespace hvi::gen {
 namespace {
 
-/// See templates/ensemble.hpp.in.
+/// Parts of the header; see templates/ensemble.hpp.in.
 struct EnsembleParts {
     std::vector<std::string> runtime;
     std::string carried, step, reset, constants, coupled, members;
@@ -60,7 +60,8 @@ EnsembleParts ensemble_parts(const Step&, const TabulatedStep&, std::size_t) {
 
 // ---- implicit ----
 
-/// `system`: the first argument of what ends the step, and `table` its last one.
+/// Returns the lines that solve and end the step. `system` is the first argument of the call at the
+/// end, and `table` its last one.
 std::string solve_and_advance(std::string_view system, std::string_view table) {
     return Writer(2)
         .blank()
@@ -69,12 +70,12 @@ std::string solve_and_advance(std::string_view system, std::string_view table) {
         .str();
 }
 
-/// A vector as functions of lanes take it.
+/// Returns a vector in the form that functions of lanes take.
 std::string loaded(std::string_view stages, std::string_view vector) {
     return fmt::format("hvi::detail::load({}.{})", stages, vector);
 }
 
-/// Where slopes are evaluated: at the start of a step, and at stage i.
+/// Returns the point at the start of a step. inner() returns the point of stage i.
 SlopePoint start(const Step& step) {
     return {loaded("s_", "q"), loaded("s_", "p"), time_of_trajectories(step, "s_.clock.start()")};
 }
@@ -84,7 +85,7 @@ SlopePoint inner(const Step& step) {
             time_of_trajectories(step, "s.clock.at(c[i])")};
 }
 
-/// The starting values.
+/// Writes the starting values.
 void predict(Writer& writer, const Iteration& iteration, const auto& extrapolated,
              const auto& constant) {
     if (iteration.extrapolation.empty()) {
@@ -143,7 +144,7 @@ std::string pair_step(const Step& step, const Iteration& iteration) {
     return writer.insert(solve_and_advance("", "")).str();
 }
 
-/// The type of what keeps the stages.
+/// Returns the type of the stages.
 std::string stages_type(const Step& step, std::string_view kind) {
     return fmt::format("hvi::detail::{}Trajectories<Vector, {}{}>", kind, step.positions.size(),
                        trajectory_argument(step));
@@ -157,7 +158,7 @@ std::string members_text(const std::string& stages) {
         .str();
 }
 
-/// The body of the member of the stage equations of positions that evaluates forces.
+/// Returns the body of the member that evaluates forces, in the stage equations of positions.
 std::string forces_of_positions(const Step& step) {
     if (!step.depends_on_time()) { return "s.forces(system, lanes);"; }
     return Writer(2)
@@ -166,7 +167,7 @@ std::string forces_of_positions(const Step& step) {
         .str();
 }
 
-/// Members of the stage equations that evaluate H.
+/// Returns the members of the stage equations that evaluate H.
 std::string slopes_text(const Step& step) {
     const SlopePoint at = inner(step);
     const std::string_view lanes = "const typename State::Mask& lanes";
@@ -186,7 +187,7 @@ std::string slopes_text(const Step& step) {
     return writer.close().str();
 }
 
-/// What both forms have.
+/// Returns the common parts of both implicit forms.
 EnsembleParts implicit_parts(const std::string& stages) {
     EnsembleParts parts;
     parts.runtime = {"detail/trajectories/trajectory_stages"};

@@ -80,7 +80,7 @@ std::string moved_momentum(const Step& step, std::size_t j, std::string_view s) 
 
 namespace {
 
-/// Where stage i has its values. NOTE: the ends of a separable step are the state.
+/// Returns the C++ name of the values of stage i. NOTE: the ends of a separable step are the state.
 std::string value_of(const Step& step, const StageValue& value, std::string_view letter,
                      std::size_t i, std::string_view s) {
     const bool is_state = step.is_separable() && value.place != StageValue::Place::inner;

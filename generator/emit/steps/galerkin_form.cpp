@@ -22,7 +22,7 @@ std::string unknowns(const GalerkinForm& form) {
 
 SlopePoint node(const Step& step) { return {"s.Q[i]", "s.P[i]", time_of_stage(step, "i", "s")}; }
 
-/// dH/dq and dH/dp at once where H is not separable.
+/// Returns the lines that evaluate dH/dq and dH/dp, at once where H is not separable.
 std::string slopes(const Step& step, const SlopePoint& at, std::string_view system,
                    std::size_t depth) {
     Writer writer(depth);
@@ -35,7 +35,7 @@ std::string slopes(const Step& step, const SlopePoint& at, std::string_view syst
     return writer.str();
 }
 
-/// What begins a sweep. NOTE: Newton's method has no use for it.
+/// Returns the lines at the beginning of a sweep. NOTE: Newton's method does not use them.
 std::string momenta(const GalerkinStep& form) {
     Writer writer(2);
     if (!takes_fixed_points(form)) { return {}; }
@@ -130,7 +130,7 @@ std::string prediction(const Step& step, const GalerkinStep& form) {
 
 // ---- constants, members ----
 
-/// What the iteration by fixed points takes, of phi and G.
+/// Writes the tables of phi and G for the iteration by fixed points.
 void write_correction(Writer& writer, const GalerkinForm& form) {
     NumberMatrix Z = form.phi;
     const NumberVector inverse_G = inverses(form.gram);

@@ -1,4 +1,4 @@
-// A point plus an increment: what a step does to positions and momenta. The space is flat here.
+// A point plus an increment: the motion of positions and momenta in a step. The space is flat here.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -21,13 +21,13 @@ private:
     std::string text_;
 };
 
-/// A call of hvi::detail::moved(), the small ones first; `remainder` is what rounding has cut off
-/// from the point so far. Precondition: the increment is not empty.
+/// Returns a call of hvi::detail::moved(), small numbers first; `remainder` is what rounding has
+/// cut off from the point so far. Precondition: the increment is not empty.
 [[nodiscard]] std::string moved(std::string_view point, std::string_view remainder,
                                 std::string_view increment);
 
-/// The call that adds an increment to component k of the point y, q or p, at the end of a step and
-/// keeps what rounding cuts off; see hvi::detail::move().
+/// Returns the call that adds an increment to component k of the point y, q or p, at the end of a
+/// step and keeps what rounding cuts off; see hvi::detail::move().
 [[nodiscard]] std::string move_to_end(std::string_view y, std::string_view increment);
 
 }  // namespace hvi::gen

@@ -10,7 +10,7 @@
 namespace hvi::gen {
 namespace {
 
-/// `, clock.t[i]`, where L depends on the time.
+/// Returns `, clock.t[i]`, where L depends on the time.
 std::string also(const std::string& time) { return time.empty() ? "" : ", " + time; }
 
 // ---- the coupled stages ----
@@ -75,7 +75,7 @@ std::string steps_of_lagrangian(const Step& step, const GalerkinStep& form,
     return writer.insert(end_of_curve(step, wishes)).str();
 }
 
-/// Of the nodes that nearest to the middle of the step.
+/// Returns the node nearest to the middle of the step.
 std::size_t middle(const GalerkinForm& form) {
     const auto distance = [&](std::size_t i) { return std::abs(form.c[i].nearest_double() - 0.5); };
     std::size_t found = 0;
@@ -85,7 +85,8 @@ std::size_t middle(const GalerkinForm& form) {
     return found;
 }
 
-/// What sets the matrix that fixed points take. NOTE: it does not depend on v, and any will do.
+/// Writes the lines that set the matrix of fixed points. NOTE: it does not depend on v, so that any
+/// v will do.
 void write_mass(Writer& writer, const Step& step) {
     const bool has_time = step.depends_on_time();
     writer.comment("Takes d2L/dv2 there for the iteration.", "/// ");
@@ -98,9 +99,9 @@ void write_mass(Writer& writer, const Step& step) {
     writer.close().blank();
 }
 
-/// NOTE: positions and slopes too, as a sweep begins with the correction. With d2L/dv2 in the
-/// middle of the step in place of its start a tenth to a fifth fewer sweeps are taken, where it
-/// varies.
+/// Returns the prediction of a step. NOTE: it sets positions and slopes too, as a sweep begins with
+/// the correction. Where d2L/dv2 varies, taking it in the middle of the step in place of its start
+/// saves a tenth to a fifth of the sweeps.
 std::string prediction_of_lagrangian(const Step& step, const GalerkinStep& form) {
     if (!takes_fixed_points(form)) { return {}; }
     const std::string time = also(time_of_start(step, "s_"));

@@ -9,7 +9,8 @@ namespace hvi::gen {
 
 namespace {
 
-/// NOTE: of __float128 std::numeric_limits and std::abs know nothing under -std=c++17.
+/// Returns the words for numbers. NOTE: under -std=c++17 std::numeric_limits and std::abs do not
+/// know __float128.
 Holes words_for_numbers(const SceneWishes& wishes) {
     const bool quad = wishes.float128;
     return {{"library", std::string(library(wishes))},
@@ -20,7 +21,7 @@ Holes words_for_numbers(const SceneWishes& wishes) {
              quad ? "< hvi::detail::infinity<Scalar>" : "<= std::numeric_limits<Scalar>::max()"}};
 }
 
-/// The tables as constants, as arguments of what makes the map, and what they need.
+/// The tables as constants, as arguments of the map's constructor, and the header that they need.
 struct Tables {
     std::string constants, arguments, include;
 };

@@ -8,7 +8,8 @@ namespace hvi::gen {
 
 namespace {
 
-/// NOTE: doubles do in every format: they decide how fast Newton's method is, not where it ends.
+/// Returns a list of doubles. NOTE: doubles do in every format: they decide how fast Newton's
+/// method is, not where it ends.
 std::string list(const std::vector<double>& values) {
     std::string text;
     for (const double value : values) {

@@ -17,7 +17,7 @@ std::string power(std::string_view base, unsigned exponent) {
     return exponent == 1 ? std::string(base) : fmt::format("{}^{}", base, exponent);
 }
 
-/// What the generators are called in comments.
+/// Returns the names of the generators in comments.
 std::vector<std::string> names(const ParametricNumbers& numbers) {
     std::vector<std::string> result{numbers.parameter};
     for (std::size_t p = 1; p <= numbers.generators.phases.size(); ++p) {
@@ -92,7 +92,8 @@ void write_generators(Writer& writer, const EntireGenerators& generators) {
     writer.close("}};");
 }
 
-/// Integers of more than 53 bits come as several terms. Returns the number of terms.
+/// Writes the terms of a function. Integers of more than 53 bits become several terms. Returns the
+/// number of terms.
 std::size_t write_terms(Writer& writer, const EntireFunction& function) {
     std::size_t count = 0;
     for (const EntireFunction::Term& term : function.terms) {
@@ -132,12 +133,12 @@ std::string_view code(Zero zero) {
 
 // ---- struct Coefficients ----
 
-/// The body of its constructor.
+/// The body of the constructor.
 class Body {
 public:
     Body(Writer& writer, const FromParameter& from) : writer_(writer), from_(from) {}
 
-    /// The name of the variable that holds it.
+    /// Returns the name of the variable that holds a weight.
     std::string weight(std::size_t place) {
         return variable(fmt::format("b_{}", place + 1), from_.numbers.weights[place]);
     }
@@ -218,7 +219,8 @@ void write_times(Writer& writer, Body& body, const Step& step) {
     }
 }
 
-/// In an explicit step every m_ij is 0 or 1 and leaves no trace.
+/// Returns the tables of weights. NOTE: in an explicit step every m_ij is 0 or 1 and leaves no
+/// trace.
 std::vector<std::pair<std::string, std::size_t>> weight_tables(const Step& step) {
     if (!step.is_explicit() && weights_p(step) == weights_q(step)) {
         return {{weights_p(step), step.positions.size()}};

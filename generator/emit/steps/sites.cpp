@@ -12,7 +12,7 @@ namespace hvi::gen {
 
 namespace {
 
-/// The weight of a move, which is 1 where there is no table of them.
+/// Returns the weight of a move, 1 where there is no table of weights.
 std::string weight_of(const Step& step, const Move& move) {
     const std::vector<StageValue>& values = move.kick ? step.positions : step.momenta;
     const bool are_ones = std::all_of(values.begin(), values.end(), [](const StageValue& value) {
@@ -29,8 +29,8 @@ std::string moves_text(const Step& step) {
     return writer.str();
 }
 
-/// Forces of so many steps that go well. NOTE: the last kick of a step and the first of the next
-/// one have the same.
+/// Returns the number of forces of `steps` steps that go well. NOTE: the last kick of a step and
+/// the first of the next one share a force.
 std::string forces_of(const std::vector<Move>& all, std::string_view steps) {
     const auto kicks =
         std::count_if(all.begin(), all.end(), [](const Move& move) { return move.kick; });

@@ -67,7 +67,7 @@ std::vector<std::string_view> predicted_slopes(const Step& step) {
         });
     };
     std::vector<std::string_view> slopes;
-    // NOTE: for separable H those of p are enough.
+    // NOTE: for separable H the slopes of p are enough.
     if (!step.is_separable() && are_unknown(StageNode::Kind::Lq)) { slopes.push_back("Lq"); }
     if (are_unknown(StageNode::Kind::Lp)) { slopes.push_back("Lp"); }
     return slopes;

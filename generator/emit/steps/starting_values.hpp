@@ -1,4 +1,4 @@
-// Slopes that an iteration begins with: those of the last step or two, extrapolated.
+// Slopes that an iteration begins with, extrapolated from the slopes of the last step or two.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -10,31 +10,32 @@
 
 namespace hvi::gen {
 
-/// The comment and the first line of predict(). `slopes`: what the starting values are.
+/// Writes the comment and the first line of predict(). `slopes` names the starting values.
 void open_predict(Writer& writer, const Iteration& iteration, std::string_view slopes);
 
-/// A table that starting values are computed with.
+/// Writes a table for the computation of starting values.
 void starting_table(Writer& writer, std::string_view name, const NumberMatrix& exact);
 
-/// The tables N, and N_before, of starting values.
+/// Returns the tables N, and N_before, of starting values.
 [[nodiscard]] std::string extrapolation_text(const Iteration& iteration);
 
-/// The slopes that starting values are of: W, or Lq and Lp.
+/// Returns the slopes that have starting values: W, or Lq and Lp.
 [[nodiscard]] std::vector<std::string_view> predicted_slopes(const Step& step);
 
-/// The lines of predict() around those that extrapolate slopes.
+/// Write the lines of predict() around those that extrapolate slopes.
 void open_extrapolation(Writer& writer, const Extrapolation& from);
 void close_extrapolation(Writer& writer, const Extrapolation& from,
                          const std::vector<std::string_view>& slopes);
 
-/// Members: the slopes of the step before the last, where starting values are made of them.
+/// Declares members for the slopes of the step before the last, where starting values need them.
 void declare_slopes_before(Writer& writer, const Step& step);
 
-/// sum_j N_ij L_j, of the slopes called `slope`_1, ..., and `slope`_before_1, ....
+/// Returns sum_j N_ij L_j, of the slopes called `slope`_1, ..., and `slope`_before_1, ....
 [[nodiscard]] std::string extrapolated(const Extrapolation& from, std::size_t i,
                                        std::string_view slope);
 
-/// These slopes of component k of the stepper; those of the last step become those before it.
+/// Writes the lines that load component k of these slopes in the stepper; slopes of the last step
+/// become slopes of the step before the last.
 void recall_slopes(Writer& writer, const Extrapolation& from, std::string_view slope);
 
 }  // namespace hvi::gen

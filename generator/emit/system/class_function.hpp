@@ -14,14 +14,15 @@ namespace hvi::gen {
 
 // ---- bodies without loops ----
 
-/// Straight-line code, whose results go to the targets; without any, the only one is returned.
+/// Straight-line code, whose results go to the targets. Without targets the only result is
+/// returned.
 struct StraightCode {
     Kernel kernel;
     std::vector<std::string> targets = {};
-    NodeNames names = {};         ///< of what it alone is given
-    bool takes_lanes = false;     ///< as well as numbers
-    bool is_mirrored = false;     ///< out is a matrix of which the lower half is computed
-    bool has_parameters = false;  ///< among its arguments: it is computed before there is a System
+    NodeNames names = {};         ///< names of values that only this code is given
+    bool takes_lanes = false;     ///< whether it takes lanes as well as numbers
+    bool is_mirrored = false;     ///< whether `out` is a matrix of which the lower half is computed
+    bool has_parameters = false;  ///< as arguments: it is computed before there is a System
 };
 
 /// A statement on the line of the signature.
@@ -41,9 +42,9 @@ struct DerivativesOfSum {
     std::string name;  ///< of the function
     const SystemSum* sum;
     const std::vector<AccessSlope>* slopes;
-    std::vector<std::string> arrays;  ///< that it looks at, as q and p
-    bool has_time = false;            ///< among its arguments, after these
-    bool has_totals = false;          ///< after the time
+    std::vector<std::string> arrays;  ///< arrays that it reads, as q and p
+    bool has_time = false;            ///< whether the time follows the arrays as an argument
+    bool has_totals = false;          ///< whether totals follow the time as arguments
 };
 
 /// Calls functions of single sums with the names of arrays, after `out` is set to zero.
@@ -52,12 +53,12 @@ struct ScatteredSums {
     std::string arrays;
 };
 
-/// Adds up a total of the system, of the arrays q and p, and the totals before it.
+/// Adds up a total of the system, from the arrays q and p, and the totals before it.
 struct TotalOfSums {
     const std::vector<SystemSum>* sums;
 };
 
-/// Adds up sums of vectors q and p; no number where these do not fit.
+/// Adds up sums of vectors q and p; NaN where their sizes do not fit.
 struct ValueOfSums {
     const std::vector<SystemSum>* sums;
 };
@@ -70,12 +71,12 @@ struct EntriesOfSums {
 using BodyOfSums =
     std::variant<DerivativesOfSum, ScatteredSums, TotalOfSums, ValueOfSums, EntriesOfSums>;
 
-/// Gives variables the values that they begin with.
+/// Sets variables to their initial values.
 struct StartOfFamilies {};
 
 // ---- bodies of the sites of a lattice ----
 
-/// Ranges of all sites, and of those whose neighbours are all there.
+/// Ranges of all sites, and of the sites that have all their neighbours.
 struct SiteRanges {};
 
 /// Values of sites side by side, one for each component.
@@ -93,7 +94,7 @@ using BodyOfSites = std::variant<SiteRanges, ValuesOfSites, ForceAtEdge>;
 using FunctionBody =
     std::variant<StraightCode, OneLine, Statements, BodyOfSums, StartOfFamilies, BodyOfSites>;
 
-/// An argument, as `const Vector& q`; one that may not be looked at is marked so.
+/// An argument, as `const Vector& q`. An argument that may be unused is marked so.
 struct Argument {
     std::string text;
     bool is_used = true;
@@ -106,9 +107,9 @@ struct SystemFunction {
     FunctionBody body;
     std::string doc = {};
     std::string_view returns = "void";
-    std::string_view parameters = {};  ///< of a template
-    bool is_counted = false;           ///< each call
-    bool is_inlined = false;           ///< wherever it is called
+    std::string_view parameters = {};  ///< parameters of a template
+    bool is_counted = false;           ///< whether each call is counted
+    bool is_inlined = false;           ///< whether it is inlined wherever it is called
 };
 
 }  // namespace hvi::gen

@@ -9,18 +9,19 @@
 
 namespace hvi::gen {
 
-/// Functions of the class in their order, each after those that it calls for single sums. Bodies
-/// are straight-line code where there are evaluations, else sums with loops; they point into the
-/// system.
+/// Returns the functions of the class in their order, each after the functions that it calls for
+/// single sums. Bodies are straight-line code where there are evaluations, else sums with loops;
+/// they point into the system.
 [[nodiscard]] std::vector<SystemFunction> functions_of_class(const System& system,
                                                              const SceneWishes& wishes,
                                                              const Step& step,
                                                              const Evaluations* evaluations);
 
-/// Whether evaluations are counted by System.
+/// Returns whether evaluations are counted by System.
 [[nodiscard]] bool counts_evaluations(const SceneWishes& wishes, const Step& step);
 
-/// Sums that are scattered: added where they belong, one summand after the other.
+/// Returns sums that are scattered: derivatives are added where they belong, one summand after the
+/// other.
 [[nodiscard]] std::vector<const SystemSum*>
 scattered_sums(const std::vector<SystemFunction>& functions);
 

@@ -15,7 +15,7 @@ std::string member_of(const std::string& name) { return member_name(name); }
 
 namespace {
 
-/// The names of parameters and sizes, in the constructor.
+/// Returns the names of parameters and sizes, in the constructor.
 NodeNames inputs_of(const System& system) {
     NodeNames names = parameter_names(system);
     for (Node node = 0; node < system.graph.size(); ++node) {

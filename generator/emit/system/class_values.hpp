@@ -9,16 +9,16 @@
 
 namespace hvi::gen {
 
-/// A value as a member of System, and of the stepper where it says what it is.
+/// A value as a member of System, and as a member of the stepper where `about` describes it.
 struct ClassValue {
     std::string name;
     const std::vector<SystemSum>* sums;
-    bool has_time = false;   ///< among its arguments
+    bool has_time = false;   ///< whether the time is an argument
     std::string about = {};  ///< for the doc comment of the stepper's member; else empty
 };
 
-/// The energy, the Lagrangian and invariants, as far as they are wished for. The result points into
-/// the system.
+/// Returns the energy, the Lagrangian and the invariants that are wished for. The result points
+/// into the system.
 [[nodiscard]] std::vector<ClassValue> values_of_class(const System& system,
                                                       const SceneWishes& wishes);
 

@@ -11,7 +11,7 @@ namespace {
 
 enum class End { least, largest };
 
-/// Of an index within loops, as bounds of each of these show it.
+/// Returns the extreme of an index within loops, by the bounds of each loop.
 AffineForm extreme(const ElementIndex& index, const std::vector<Loop>& loops, End end) {
     AffineForm form = index.form;
     if (index.modulus) {
@@ -59,7 +59,7 @@ private:
         all_.insert(fmt::format("{} <= {}", names_.whole(lower), names_.whole(upper)));
     }
 
-    /// NOTE: a program may give a list of another length.
+    /// Adds a condition on the length of a list. NOTE: a program may give a list of another length.
     void add_length(const SystemFamily& list, const AffineForm& largest) {
         if (largest.at(sizes_) > list.ranges[0].last.constant) { return; }
         all_.insert(fmt::format("{} <= static_cast<Place>({}_values_.size())",

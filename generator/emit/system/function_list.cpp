@@ -12,9 +12,10 @@ namespace hvi::gen {
 
 namespace {
 
-/// NOTE: no lane lives through a call, and g++ calls what a composition needs twenty times. Where
-/// there is much, the call does not matter; and of several sin inlined into a loop the constants
-/// are kept in registers, which are then wanted for other things.
+/// Returns whether a function is inlined. NOTE: no lane lives through a call, and g++ does not
+/// inline by itself what a composition calls twenty times. In a large function the call does not
+/// matter. And the constants of several sin that are inlined into a loop would occupy registers
+/// that other values need.
 bool is_inlined(const Kernel& kernel, const Step& step) {
     constexpr std::size_t small = 32;
     const std::size_t most_calls = step.layout == Layout::stages ? 1 : 0;

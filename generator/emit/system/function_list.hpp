@@ -1,4 +1,4 @@
-// Functions of the class System as a list that grows: arguments and bodies of each kind.
+// A growing list of functions of the class System: arguments and bodies of each kind.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -14,30 +14,30 @@
 
 namespace hvi::gen {
 
-/// Variables that a function has among its arguments.
+/// Variables that a function takes as arguments.
 struct Takes {
     bool q = true, p = true, time = false;
 };
 
 inline constexpr Takes no_variables{false, false};
 
-/// Derivatives of sums that are added up.
+/// Derivatives of sums, to be added up.
 struct Scatter {
-    using Arrays = std::vector<std::pair<std::string, bool>>;  ///< and whether each is an argument
-    std::string name, each;  ///< of the function, and of those for one sum up to their number
-    bool by_q;               ///< or by conjugates
+    using Arrays = std::vector<std::pair<std::string, bool>>;  ///< whether each is an argument
+    std::string name, each;  ///< of the function, and of those for one sum before their number
+    bool by_q;               ///< derivatives by q; else by conjugates
     Arrays arrays;
-    bool has_time;  ///< another argument
+    bool has_time;  ///< whether the time is an argument
     std::string doc = {};
 };
 
-/// How functions of single sums are numbered: by their place among all sums, or among those that
-/// have such derivatives.
+/// Numbers of functions of single sums: their place among all sums, or among the sums that have
+/// such derivatives.
 enum class Numbers { of_all, of_these };
 
 [[nodiscard]] bool uses_any(const Kernel& kernel, const std::vector<Node>& nodes);
 
-/// Names `out[0]`, `out[1]`, ...
+/// Returns the names `out[0]`, `out[1]`, ...
 [[nodiscard]] std::vector<std::string> components(std::string_view letter, std::size_t count);
 
 /// A list to which functions are added one by one.
@@ -49,21 +49,21 @@ public:
     SystemFunction& add(std::string name, Takes takes, FunctionBody body,
                         std::vector<Argument> others = {}, std::string doc = "");
 
-    /// Adds code that takes lanes where a step has some.
+    /// Adds code that takes lanes where a step has lanes.
     SystemFunction& add_of_lanes(std::string name, Takes takes, StraightCode code,
                                  std::vector<Argument> others);
 
-    /// Adds code with a result for each degree of freedom, of lanes where a step has some.
+    /// Adds code with a result for each degree of freedom, of lanes where a step has lanes.
     SystemFunction& add_slope(std::string name, Takes takes, const Kernel& kernel);
 
-    /// Adds code with the entries of a matrix, where these are there.
+    /// Adds code with the entries of a matrix, where there is a block of them.
     void add_block(std::string name, Takes takes, const std::optional<BlockKernel>& block);
 
-    /// Adds a function of sums, after one for each of them that has such derivatives.
+    /// Adds a function of sums, after one function for each sum that has such derivatives.
     SystemFunction& add_scattered(const Scatter& scatter, const std::vector<SystemSum>& sums,
                                   Numbers numbers);
 
-    /// An argument of add_of_lanes(), `Values& out` or `Vector& out`.
+    /// Returns an argument of add_of_lanes(), `Values& out` or `Vector& out`.
     [[nodiscard]] std::string reference(const std::string& name) const {
         return (step_.has_lanes() ? "Values& " : "Vector& ") + name;
     }

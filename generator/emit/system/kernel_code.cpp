@@ -11,7 +11,7 @@ namespace hvi::gen {
 
 namespace {
 
-/// How tightly the outermost operator of a piece of code binds.
+/// Strength of the outermost operator of a piece of code.
 enum class Binding { sum, product, sign, primary };
 
 struct Code {
@@ -19,12 +19,13 @@ struct Code {
     Binding binding = Binding::primary;
 };
 
-/// As an operand of something that binds so, or more tightly.
+/// Returns the code as an operand of an operator that binds at least as tightly as `least`.
 std::string operand(const Code& code, Binding least) {
     return code.binding < least ? "(" + code.text + ")" : code.text;
 }
 
-/// The double is exact, or the quotient is computed by the compiler.
+/// Returns a fraction as a literal where that is exact, else as a quotient that the compiler
+/// computes.
 Code literal_of(const SmallFraction& fraction) {
     constexpr long most_of_float = 1L << 24;
     const bool is_dyadic = (fraction.below & (fraction.below - 1)) == 0;
@@ -57,7 +58,8 @@ public:
     }
 
 private:
-    /// NOTE: a divisor stays where it is used, as what stands below the bar.
+    /// Defines a variable for a node. NOTE: a divisor has none, as it stands below the bar where it
+    /// is used.
     void define(Node node) {
         constexpr std::size_t longest = 60;
         Code code = this->code(graph_.at(node));
@@ -94,7 +96,7 @@ private:
         return {};
     }
 
-    /// factor * node, of a positive factor.
+    /// Returns factor * node, for a positive factor.
     [[nodiscard]] Code term(const SmallFraction& factor, Node node) const {
         if (graph_.is_number({factor, node})) { return literal_of(factor); }
         if (factor.is_one()) { return at(node); }
@@ -107,7 +109,7 @@ private:
         return {"-" + operand(term(-a.factor, a.node), Binding::product), Binding::sign};
     }
 
-    /// NOTE: the first term is positive, but for one that is alone.
+    /// Returns a sum. NOTE: the first term is positive, unless it is the only one.
     [[nodiscard]] Code sum(const std::vector<Scaled>& terms) const {
         if (terms.size() == 1) { return scaled(terms.front()); }
         std::string text;
@@ -133,7 +135,7 @@ private:
                 Binding::product};
     }
 
-    /// What an inverse divides by.
+    /// Returns the divisor of an inverse.
     [[nodiscard]] std::string below(const Computation& computation) const {
         if (computation.operation == Operation::inverse_square_root) {
             return call("sqrt", computation).text;
@@ -153,8 +155,9 @@ private:
         return {fmt::format("{}::{}({})", library_, function, arguments(computation))};
     }
 
-    /// NOTE: what has kinks is of the runtime, and told its type: numbers are chosen from as well
-    /// as numbers side by side, and the library of C++ loses a NaN.
+    /// Returns a call. NOTE: functions with kinks are called in the runtime, with their type: they
+    /// choose between numbers as well as between numbers side by side, and the library of C++ loses
+    /// a NaN.
     [[nodiscard]] Code called(const Computation& computation) const {
         const std::string& name = computation.name;
         if (is_own_function(name)) { return of_user(computation); }
@@ -163,8 +166,9 @@ private:
         return {fmt::format("hvi::math::{}<{}>({})", function, value_, arguments(computation))};
     }
 
-    /// A template of the user's, of one number: by its type, so that a function of the same name
-    /// that C declares is not meant. Of numbers side by side each is computed alone.
+    /// Returns a call of a user's template for one number. NOTE: with its type, so that a function
+    /// of the same name that C declares is not meant. Of numbers side by side each is computed
+    /// alone.
     [[nodiscard]] Code of_user(const Computation& computation) const {
         const std::string function = fmt::format("::{}<Scalar>", computation.name);
         if (value_ == "Scalar") {

@@ -12,13 +12,13 @@
 
 namespace hvi::gen {
 
-/// What nodes are called in C++.
+/// Names of nodes in C++.
 using NodeNames = std::map<Node, std::string>;
 
-/// Writes the statements that compute a kernel, `const Scalar t1 = ...;` for what is used more than
-/// once or long, and returns an expression for each result. Functions are those of <cmath>, in the
-/// namespace `library`. `value`: the type of what is computed; literals are Scalars. Precondition:
-/// `names` has all that is given but numbers.
+/// Writes the statements that compute a kernel, `const Scalar t1 = ...;` for values that are used
+/// more than once or are long, and returns an expression for each result. Functions are those of
+/// <cmath>, in the namespace `library`. `value` is the type of the computed values; literals are
+/// Scalars. Precondition: `names` has all that is given but numbers.
 [[nodiscard]] std::vector<std::string> write_code(Writer& writer, const Graph& graph,
                                                   const Kernel& kernel, NodeNames names,
                                                   std::string_view library,

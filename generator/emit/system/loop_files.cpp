@@ -16,11 +16,11 @@ std::string place_of(const NumbersInFile& file) {
 
 /// A member of Parameters that is read from a file.
 struct NumbersMember {
-    const SystemFamily* family;  ///< parameters, or variables that begin there
+    const SystemFamily* family;  ///< parameters, or variables with these initial values
     NumbersInFile file;
 };
 
-/// Members by the files that they stand in: each is read once.
+/// Returns the members, grouped by file: each file is read once.
 std::vector<std::pair<std::string, std::vector<NumbersMember>>>
 by_file(const std::vector<NumbersMember>& members) {
     std::vector<std::pair<std::string, std::vector<NumbersMember>>> result;
@@ -37,7 +37,7 @@ by_file(const std::vector<NumbersMember>& members) {
     return result;
 }
 
-/// Where the scene begins.
+/// Returns the variables whose initial values are in files.
 std::vector<NumbersMember> starts_in_files(const System& system) {
     std::vector<NumbersMember> result;
     const std::size_t count = system.coordinates.size();
@@ -51,7 +51,7 @@ std::vector<NumbersMember> starts_in_files(const System& system) {
     return result;
 }
 
-/// Those of the parameters, then those of where the scene begins.
+/// Returns the parameters in files, then the initial values in files.
 std::vector<NumbersMember> numbers_in_files(const System& system) {
     std::vector<NumbersMember> result;
     for (const SystemTable& table : system.tables) {

@@ -1,4 +1,4 @@
-// What a header of a scene with loops says of numbers that stand in files.
+// Numbers in files, in the header of a scene with loops.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -10,20 +10,20 @@
 
 namespace hvi::gen {
 
-/// The members of Parameters that are read from files.
+/// Writes the members of Parameters that are read from files.
 void write_numbers_in_files(Writer& writer, const System& system);
 
-/// What reads them, as a member of a stepper; nothing where there are none.
+/// Writes the member of a stepper that reads them; nothing where there are none.
 void write_reading(Writer& writer, const System& system);
 
-/// Whether some variables begin as a file has them.
+/// Returns whether a file has initial values of some variables.
 [[nodiscard]] bool begins_in_file(const System& system);
 
-/// `if (...) { return; }` where a file has not as many numbers as there are variables that begin
-/// there.
+/// Writes `if (...) { return; }` for files whose count of initial values differs from that of the
+/// variables.
 void write_conditions_of_files(Writer& writer, const System& system, const ClassNames& names);
 
-/// What reads them, as #include; empty where there are none.
+/// Returns the #include of the reader; empty where nothing is read.
 [[nodiscard]] std::string include_of_files(const System& system);
 
 }  // namespace hvi::gen

@@ -13,7 +13,8 @@ namespace hvi::gen {
 
 namespace {
 
-/// NOTE: a square root or a quotient of eight numbers is no faster than two of four.
+/// Returns the width of lanes for a kernel. NOTE: a square root or a quotient of eight numbers is
+/// no faster than two of four.
 std::size_t lanes_for(const Kernel& kernel) {
     const auto& [additions, multiplications, divisions, roots, calls] = kernel.counts;
     return divisions + roots > 0 && calls == 0 ? 4 : 8;
@@ -117,7 +118,7 @@ void LoopWriter::close_loops(Writer& writer, const std::vector<Loop>& loops) {
     for (std::size_t l = 0; l < std::max<std::size_t>(loops.size(), 1); ++l) { writer.close(); }
 }
 
-/// What a sum does at one place, where it goes one by one.
+/// Writes the body of a sum at one place, where it is computed one by one.
 void LoopWriter::write_body(Writer& writer, const SystemSum& sum,
                             const std::vector<AccessSlope>& slopes) {
     const Kernel slope = kernel(system_.graph, values(slopes));
@@ -160,8 +161,8 @@ void LoopWriter::write_along(Writer& writer, const SystemSum& sum, const Kernel&
     writer.close("});");
 }
 
-/// Adds the derivatives, with the innermost loop in lanes. NOTE: what is taken away costs less than
-/// what is turned and added.
+/// Adds the derivatives, with the innermost loop in lanes. NOTE: subtracting costs less than
+/// negating and adding.
 void LoopWriter::write_lanes(Writer& writer, const SystemSum& sum,
                              const std::vector<AccessSlope>& slopes) {
     const Loop& inner = sum.loops.back();

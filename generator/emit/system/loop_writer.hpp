@@ -13,18 +13,18 @@
 
 namespace hvi::gen {
 
-/// Values of derivatives, one after the other.
+/// Returns the values of derivatives, one after the other.
 [[nodiscard]] std::vector<Scaled> values(const std::vector<AccessSlope>& slopes);
 
-/// Whether values are made of each total of the system, or of any.
+/// Return whether values depend on each total of the system, and whether they depend on any.
 [[nodiscard]] std::vector<bool> needed_totals(const System& system, std::vector<Scaled> values);
 [[nodiscard]] bool needs_totals(const System& system, const std::vector<Scaled>& values);
 
-/// Whether a total depends on the time.
+/// Returns whether a total depends on the time.
 [[nodiscard]] bool has_time(const System& system, std::size_t total);
 
-/// Writes what is computed for each value of the indices of sums. Innermost loops go in lanes where
-/// all elements stand in a row or stay.
+/// Writes computations for each value of the indices of sums. Innermost loops go in lanes where all
+/// elements stand in a row or stay.
 class LoopWriter {
 public:
     LoopWriter(const System& system, ClassNames& names) : system_(system), names_(names) {}
@@ -33,12 +33,12 @@ public:
         std::visit([&](const auto& sums) { write(writer, sums); }, body);
     }
 
-    /// Loads the elements that a kernel is given, by their own names, and returns all names that it
-    /// needs. `value`: the type of what is loaded.
+    /// Loads the elements that a kernel is given, under their own names, and returns all names that
+    /// it needs. `value` is the type of the loaded elements.
     [[nodiscard]] NodeNames load(Writer& writer, const std::vector<std::size_t>& accesses,
                                  const Kernel& kernel, const std::vector<Loop>& loops);
 
-    /// Opens loops, or a block where there are none, and closes them.
+    /// Open loops, or a block where there are none, and close them.
     void open_loops(Writer& writer, const std::vector<Loop>& loops) const;
     static void close_loops(Writer& writer, const std::vector<Loop>& loops);
 
@@ -46,7 +46,7 @@ public:
     [[nodiscard]] const System& system() const { return system_; }
 
 private:
-    /// The loop of an innermost index, with so many numbers side by side, from first to end - 1.
+    /// The loop of an innermost index from first to end - 1, with `width` numbers side by side.
     struct AlongLoop {
         std::size_t width;
         std::string first, end;
@@ -58,15 +58,15 @@ private:
     void write(Writer& writer, const ValueOfSums& body);
     void write(Writer& writer, const EntriesOfSums& body);
 
-    /// Writes the innermost loop in lanes: what stays is loaded before it, and `use` writes what
-    /// becomes of the results, which are of the type V.
+    /// Writes the innermost loop in lanes: elements that stay are loaded before it, and `use`
+    /// writes the use of the results, which are of the type V.
     void write_along(Writer& writer, const SystemSum& sum, const Kernel& kernel,
                      const AlongLoop& loop,
                      const std::function<void(const std::vector<std::string>&)>& use);
     /// Writes the call of derivatives of a whole sum, with these arrays.
     void call(Writer& writer, const DerivativesOfSum& function, std::string_view arrays);
 
-    /// Writes an array of the totals that values are made of; nothing where there are none.
+    /// Writes an array of the totals that values depend on; nothing where there are none.
     void sum_totals(Writer& writer, const std::vector<Scaled>& values,
                     std::string_view arrays) const;
 

@@ -18,10 +18,10 @@ namespace {
 /// A member: R, or an array of R[1], R[2], ...
 struct Member {
     std::string name;       // in C++
-    std::size_t count = 0;  // of an array; 0 of one alone
+    std::size_t count = 0;  // size of an array; 0 for a single one
 };
 
-/// By which they are called in C++: `x.R`, or `x.R[1]`.
+/// Members and their elements by their names in C++: `x.R`, or `x.R[1]`.
 struct RotationMembers {
     std::vector<Member> rotations, momenta;
     std::vector<std::string> each_rotation, each_momentum;  ///< in the order of the system
@@ -48,7 +48,7 @@ RotationMembers members_of(const System& system) {
     return result;
 }
 
-/// `{1, 0, ...}`, or so many of them.
+/// Returns `{1, 0, ...}`, or an array of them.
 std::string initial(const Member& member, std::string_view one) {
     if (member.count == 0) { return fmt::format("{{{}}}", one); }
     std::string all;
@@ -86,7 +86,7 @@ void write_structs(Writer& writer, const System& system, const RotationMembers& 
     writer.close("};").blank();
 }
 
-/// Copies in one direction or the other.
+/// Writes copies in one direction or the other.
 void write_copies(Writer& writer, const System& system, const RotationMembers& members,
                   bool with_momenta, bool is_inward) {
     const std::size_t n = flat_coordinates(system);

@@ -9,12 +9,12 @@
 
 namespace hvi::gen {
 
-/// `struct Placement` with q and the rotations, and `struct Bodies`, which is one with p and the
-/// angular momenta; and what makes of these a hvi::detail::ChartState, and back. Members are called
-/// as the scene has them. Precondition: there are rotations.
+/// Returns `struct Placement` with q and the rotations, `struct Bodies`, a Placement with p and the
+/// angular momenta, and conversions between Bodies and a hvi::detail::ChartState. Members have the
+/// names of the scene. Precondition: there are rotations.
 [[nodiscard]] std::string bodies_text(const System& system);
 
-/// Throws InputError where two members of these would have one name.
+/// Throws InputError where two members would have one name.
 void check_rotation_names(const WrittenOutScene& scene);
 
 }  // namespace hvi::gen

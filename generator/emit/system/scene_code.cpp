@@ -51,7 +51,7 @@ void write_parameter(Writer& writer, const ParameterMember& member) {
     writer.close("}};");
 }
 
-/// NOTE: numbers of a file are a member of their own.
+/// Writes a table of parameters. NOTE: numbers of a file are a member of their own.
 void write_table(Writer& writer, const SystemTable& table) {
     const auto* values = std::get_if<std::vector<Expression>>(&table.values);
     if (values == nullptr) { return; }
@@ -61,18 +61,18 @@ void write_table(Writer& writer, const SystemTable& table) {
     writer.close("});");
 }
 
-/// What begins at the initial data: a State, where that is not several.
+/// Returns the type of one state: State, or Trajectory where a State holds several.
 std::string_view state_of_one(const Step& step) {
     return step.layout == Layout::trajectories ? "Trajectory" : "State";
 }
 
-/// States x in members of the stepper.
+/// Forms of a state x in members of the stepper.
 struct StateForm {
-    std::string variables;                        ///< that functions of System take
-    std::vector<std::string> start;               ///< from the declaration of x to its return
-    std::string before = {};                      ///< a line before `variables`, or nothing
-    std::string_view constant = {};               ///< before `start`
-    std::string_view empty = {}, no_number = {};  ///< when x is empty, and values are no numbers
+    std::string variables;                        ///< arguments of functions of System
+    std::vector<std::string> start;               ///< lines from the declaration of x to its return
+    std::string before = {};                      ///< a line before `variables`, or empty
+    std::string_view constant = {};               ///< a qualifier before `start`
+    std::string_view empty = {}, no_number = {};  ///< when x is empty, and when values are NaN
 };
 
 StateForm form_of(const System& system, std::string_view state) {
@@ -123,7 +123,8 @@ void write_initial(Writer& writer, std::string_view state, const StateForm& form
     writer.blank();
 }
 
-/// The velocities of L = v^T M v/2 + a v - U, from M v = p - a, or of the H that was made of L.
+/// Writes the velocities of L = v^T M v/2 + a v - U, from M v = p - a, or those of the H that was
+/// made of L.
 void write_velocity(Writer& writer, const System& system, std::string_view state) {
     if (system.is_transformed) {
         writer.line("/// v of p = dL/dv(q, v); empty where x does not have the system's size.");

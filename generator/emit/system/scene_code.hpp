@@ -17,63 +17,64 @@
 
 namespace hvi::gen {
 
-/// What a header is to offer beside step().
+/// Members that a header offers beside step().
 struct SceneWishes {
     bool energy = false;
     bool invariants = false;
-    bool evaluations = false;         ///< of dH/dq, counted
-    bool float128 = false;            ///< among the numbers that it computes in
-    bool action = false;              ///< of the steps, and H_d^+ of the last one
-    std::optional<Curve> curve = {};  ///< of the last step, as a member
+    bool evaluations = false;         ///< count of evaluations of dH/dq
+    bool float128 = false;            ///< whether __float128 is a number type of the class
+    bool action = false;              ///< action of the steps, and H_d^+ of the last one
+    std::optional<Curve> curve = {};  ///< curve of the last step, as a member
 };
 
-/// The namespace of the functions that it calls: `std`, or that of src/hvi/detail/numbers/math.hpp.
+/// Returns the namespace of the functions that the class calls: `std`, or that of
+/// src/hvi/detail/numbers/math.hpp.
 [[nodiscard]] std::string_view library(const SceneWishes& wishes);
 
-/// Whether H calls what src/hvi/detail/numbers/more_math.hpp has.
+/// Returns whether H calls functions of src/hvi/detail/numbers/more_math.hpp.
 [[nodiscard]] bool calls_more_math(const System& system, const SceneWishes& wishes);
 
 /// Throws InputError where a function of the user's own cannot be one in C++.
 void check_own_names(const OwnFunctions& own);
 
-/// Throws InputError where an invariant that is asked for is called as something else that each
-/// stepper has, or is a word of C++.
+/// Throws InputError where an invariant that is asked for has the name of another member of each
+/// stepper, or is a word of C++.
 void check_members(const WrittenOutScene& scene, const SceneWishes& wishes);
 
-/// The parameters where `parameters` is an object of the struct.
+/// Returns the names of parameters as members of the object `parameters`.
 [[nodiscard]] NodeNames parameter_names(const System& system);
 
-/// `struct Parameters`, with numbers, tables and sizes of the scene as defaults.
+/// Returns `struct Parameters`, with numbers, tables and sizes of the scene as defaults.
 [[nodiscard]] std::string parameters_text(const System& system);
 
-/// Vectors that states of a scene hold.
+/// Kinds of vectors in states of a scene.
 enum class StateVectors {
-    numbers,   ///< of a type that a user chooses, with as many as there are degrees of freedom
-    bodies,    ///< members that are called as the scene calls coordinates and rotations
+    numbers,   ///< numbers of a type that a user chooses, one for each degree of freedom
+    bodies,    ///< members with the scene's names of coordinates and rotations
     any_size,  ///< std::vector
 };
 [[nodiscard]] StateVectors vectors_of(const System& system);
 
-/// Type of vectors of the class.
+/// Returns the type of vectors of the class.
 [[nodiscard]] std::string_view vector_type(const System& system);
 
-/// `struct System`: what a stepper with this step needs of H, as straight-line code, or with loops
-/// where there are no evaluations without.
+/// Returns `struct System`, all that a stepper with this step needs of H, as straight-line code, or
+/// with loops where there are no evaluations without loops.
 [[nodiscard]] std::string system_text(const System& system, const SceneWishes& wishes,
                                       const Step& step, const Evaluations* evaluations);
 
-/// Lines of #include for that.
+/// Returns the lines of #include for System.
 [[nodiscard]] std::string includes_of_class(const System& system, const SceneWishes& wishes,
                                             const Step& step, const Evaluations* evaluations);
 
-/// `static State initial(...)`, and the members that are asked for.
+/// Returns `static State initial(...)`, and the members that are asked for.
 [[nodiscard]] std::string scene_members_text(const System& system, const SceneWishes& wishes,
                                              const Step& step);
 
-/// The value of an expression without symbols. Throws as evaluate_number() does.
+/// Returns the value of an expression without symbols. Throws as evaluate_number() does.
 [[nodiscard]] Rounded rounded_value(const Expression& expression);
 
-/// The value of an expression without symbols as a Scalar is initialised with it. Throws as
+/// Returns an expression without symbols as the initial value of a Scalar. Throws as
 /// evaluate_number() and initializer() do.
 [[nodiscard]] std::string initializer(const Expression& expression);
 

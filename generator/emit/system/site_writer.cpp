@@ -47,7 +47,7 @@ void SiteWriter::write(Writer& writer, const SiteRanges& /*body*/) {
     writer.line("        {{{{{{{}}}}}, {{{{{}}}}}}}}};", joined(inside_first), joined(inside_end));
 }
 
-/// Of an element that a site sees, from the number e of the site on.
+/// Returns the place of an element that a site reads, relative to the number e of the site.
 std::string SiteWriter::place(const SiteAccess& seen) const {
     const System& system = loops_.system();
     const SystemFamily& family = system.family({seen.kind, seen.family});
@@ -76,7 +76,7 @@ std::string SiteWriter::place(const SiteAccess& seen) const {
     return ClassNames::place(family, indices);
 }
 
-/// Loads what forces or velocities look at.
+/// Loads the elements that forces or velocities read.
 NodeNames SiteWriter::locals(Writer& writer, const Kernel& kernel) {
     const std::size_t last = sites_.ranges.size() - 1;
     NodeNames names;

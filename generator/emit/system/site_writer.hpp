@@ -7,10 +7,10 @@
 
 namespace hvi::gen {
 
-/// What is known of the sites when the header is compiled.
+/// Writes the facts about sites that are known when the header is compiled.
 void write_site_types(Writer& writer, const Sites& sites);
 
-/// Writes bodies of functions that src/hvi/detail/loops/sites.hpp asks of a system.
+/// Writes bodies of the functions that src/hvi/detail/loops/sites.hpp requires of a system.
 class SiteWriter {
 public:
     SiteWriter(const Sites& sites, LoopWriter& loops)

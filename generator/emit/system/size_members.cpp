@@ -52,7 +52,7 @@ void SizeMembers::write_places(Writer& writer, const SystemFamily& family,
     writer.line("{} += {};", total, count);
 }
 
-/// NOTE: for other sizes than those of the scene.
+/// Writes the conditions on sizes. NOTE: for other sizes than those of the scene.
 void SizeMembers::write_fits(Writer& writer) const {
     for (const SystemTable& table : system_.tables) {
         if (table.family.ranges.size() == 1) { continue; }

@@ -1,4 +1,4 @@
-// Data of a class System that has sizes at run time: where families begin, tables, and threads.
+// Data of a class System with sizes at run time: places of families, tables, and threads.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -11,17 +11,17 @@
 
 namespace hvi::gen {
 
-/// Writes members of System, and what its constructor does with them.
+/// Writes members of System, and their part of its constructor.
 class SizeMembers {
 public:
     /// `has_chunks`: sums are cut into chunks, for threads.
     SizeMembers(const System& system, const ClassNames& names, bool has_chunks)
         : system_(system), names_(names), has_chunks_(has_chunks) {}
 
-    /// Members that arguments make, `N_(parameters.N)`.
+    /// Returns members that arguments initialise, `N_(parameters.N)`.
     [[nodiscard]] std::vector<std::string> initialised() const;
 
-    /// Argument of the constructor beside parameters.
+    /// Returns the argument of the constructor beside parameters.
     [[nodiscard]] std::string_view threads() const {
         return has_chunks_ ? ", unsigned threads = 1" : ", unsigned /*threads*/ = 1";
     }

@@ -46,7 +46,8 @@ void StartWriter::write_start(Writer& writer, const SystemFamily& family, std::s
     }
 }
 
-/// Where the element with these indices is, each of the others the first.
+/// Returns the place of the element with these indices; indices that are left out have their first
+/// value.
 std::string StartWriter::place(const SystemFamily& family,
                                const std::vector<std::string>& indices) const {
     std::vector<std::string> all;

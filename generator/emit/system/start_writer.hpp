@@ -10,7 +10,7 @@
 
 namespace hvi::gen {
 
-/// Writes where a scene with loops begins.
+/// Writes the first state of a scene with loops.
 class StartWriter {
 public:
     explicit StartWriter(LoopWriter& loops)
@@ -19,7 +19,7 @@ public:
     void write(Writer& writer, const StartOfFamilies& body);
 
 private:
-    /// Gives the elements of a family their values in `array`.
+    /// Sets the elements of a family to their values in `array`.
     void write_start(Writer& writer, const SystemFamily& family, std::string_view array,
                      const SystemStart& start);
     void write_values(Writer& writer, const SystemFamily& family, std::string_view array,

@@ -22,7 +22,8 @@ void mirror(Writer& writer, std::size_t n) {
     writer.line("for (std::size_t j = 0; j < i; ++j) {{ out(j, i) = out(i, j); }}").close();
 }
 
-/// Whether H calls what src/hvi/detail/lanes/lane_functions.hpp has, which others need not include.
+/// Returns whether H calls functions of src/hvi/detail/lanes/lane_functions.hpp, which other
+/// headers need not include.
 bool calls_lane_functions(const System& system) {
     constexpr std::string_view without_library[] = {"sin", "cos", "tan"};
     for (Node node = 0; node < system.graph.size(); ++node) {
@@ -40,7 +41,7 @@ bool calls_lane_functions(const System& system) {
 std::string include_of_arrays(const System& system, const Step& step, const SceneWishes& wishes) {
     std::string text = "#include <array>\n#include <cmath>";
     if (wishes.evaluations) { text += "\n#include <cstdint>"; }
-    // NOTE: explicit steppers have it as a part of their own.
+    // NOTE: explicit steppers carry a copy of it.
     if (!step.is_explicit() && calls_more_math(system, wishes)) {
         text += "\n#include <hvi/detail/numbers/more_math.hpp>";
     }
@@ -50,7 +51,8 @@ std::string include_of_arrays(const System& system, const Step& step, const Scen
     return text;
 }
 
-/// NOTE: explicit steppers include of hvi what they have in copies too.
+/// Returns the includes of a system with loops. NOTE: explicit steppers also include headers of hvi
+/// that they have copies of.
 std::string include_of_loops(const System& system, const SceneWishes& wishes, const Step& step) {
     std::string text = "#include <algorithm>\n#include <array>\n#include <cstdint>\n"
                        "#include <limits>\n#include <type_traits>\n#include <vector>\n\n"
@@ -69,14 +71,14 @@ std::string include_of_loops(const System& system, const SceneWishes& wishes, co
     return text;
 }
 
-/// The names of families, one after the other.
+/// Returns the names of families, one after the other.
 std::string names_of(const std::vector<SystemFamily>& families) {
     std::vector<std::string> names;
     for (const SystemFamily& family : families) { names.push_back(family.name); }
     return fmt::format("{}", fmt::join(names, ", "));
 }
 
-/// H, and what variables it is of.
+/// Returns H and its variables in words.
 std::string about(const System& system) {
     const std::string written = to_text(system.expression);
     if (system.is_transformed) { return "H = p v - L, where L = " + written; }
@@ -92,12 +94,12 @@ std::string about(const System& system) {
                        names_of(system.conjugates));
 }
 
-/// `const Vector& q`, marked where it may not be looked at.
+/// Returns `const Vector& q`, marked where it may be unused.
 std::string text_of(const Argument& argument) {
     return (argument.is_used ? "" : "[[maybe_unused]] ") + argument.text;
 }
 
-/// The line of a function up to its body.
+/// Returns the line of a function up to its body.
 std::string signature(const SystemFunction& function) {
     const auto* code = std::get_if<StraightCode>(&function.body);
     const bool is_static = code != nullptr && code->has_parameters;
@@ -111,14 +113,14 @@ std::string signature(const SystemFunction& function) {
                        fmt::join(arguments, ", "), is_static ? "" : " const");
 }
 
-/// Whether sums over pairs are cut into chunks.
+/// Returns whether sums over pairs are cut into chunks.
 bool has_chunks(const std::vector<SystemFunction>& functions) {
     const std::vector<const SystemSum*> sums = scattered_sums(functions);
     return std::any_of(sums.begin(), sums.end(),
                        [](const SystemSum* sum) { return sum->loops.size() > 1; });
 }
 
-/// Writes the class: its functions as listed, and what these need.
+/// Writes the class: its functions as listed, and the members that they need.
 class ClassWriter {
 public:
     ClassWriter(const System& system, const SceneWishes& wishes, const Step& step,
@@ -135,7 +137,7 @@ public:
           sizes_(system, names_, has_chunks(functions_)) {}
 
     [[nodiscard]] std::string text() {
-        // NOTE: the constructor comes last, as it computes what the others need.
+        // NOTE: the constructor comes last, as it computes values that the functions need.
         Writer functions(2);
         for (const SystemFunction& function : functions_) {
             if (&function != &functions_.front()) { functions.blank(); }
@@ -221,7 +223,7 @@ private:
         }
         if (system_.sites) { write_site_types(writer, *system_.sites); }
         if (!has_loops_ && evaluations_->tangents) {
-            // NOTE: an array of none would do, were it not that compilers warn of it.
+            // NOTE: an empty array would do, but compilers warn of it.
             writer.line("using Tangent = std::array<Scalar, {}>;",
                         std::max<std::size_t>(1, evaluations_->tangents->kept.size()));
         }
@@ -267,7 +269,7 @@ private:
     const Step& step_;
     const Evaluations* evaluations_;
     bool has_loops_, counts_;
-    std::string_view library_;  ///< of functions that take no lanes
+    std::string_view library_;  ///< namespace of functions that take no lanes
     std::vector<SystemFunction> functions_;
     ClassNames names_;
     LoopWriter loops_;

@@ -11,7 +11,7 @@ namespace {
 constexpr std::string_view call = "rounded(";
 constexpr std::string_view qualified_call = "hvi::detail::rounded<Scalar>(";
 
-/// A format other than float always has the number: see check_range().
+/// Returns the number in a format. A format other than float always has it: see check_range().
 const Dyadic& of(const Rounded& value, int bits) {
     for (std::size_t f = 0; f < formats.size(); ++f) {
         if (formats[f].bits == bits) {
@@ -33,10 +33,10 @@ bool is_the_same_in_all(const Rounded& value) {
                        [&](const auto& in_format) { return in_format == value.front(); });
 }
 
-/// Of few bits, or bits that tell a reader nothing.
+/// Returns a number of few bits, or one whose decimal digits tell a reader nothing.
 std::string hexadecimal(double value) { return value == 0.0 ? "0.0" : fmt::format("{:a}", value); }
 
-/// See src/hvi/detail/coefficients/rounded.hpp.
+/// Returns a call of rounded(); see src/hvi/detail/coefficients/rounded.hpp.
 std::string text_of(const Rounded& value) {
     const Dyadic& hi = of(value, 53);
     if (is_the_same_in_all(value)) { return fmt::format("Scalar({})", literal(hi.to_double())); }
@@ -48,7 +48,8 @@ std::string text_of(const Rounded& value) {
                        hexadecimal(to_113.to_double()), hexadecimal((rest - to_113).to_double()));
 }
 
-/// NOTE: the parts of a number of 113 bits are doubles, so it is to be well above the smallest one.
+/// Checks the size of a constant. NOTE: the parts of a number of 113 bits are doubles, so it has to
+/// be well above the smallest double.
 void check_range(const Constant& constant) {
     constexpr int least = -900;
     for (std::size_t f = 0; f < formats.size(); ++f) {
@@ -86,7 +87,7 @@ void entries(Writer& writer, const std::vector<Constant>& row) {
     }
 }
 
-/// As many in a line as it has room for.
+/// Writes as many entries in a line as there is room for.
 void entries(Writer& writer, const std::vector<Rounded>& row) {
     std::string line;
     for (const Rounded& entry : row) {
@@ -100,7 +101,7 @@ void entries(Writer& writer, const std::vector<Rounded>& row) {
     writer.line("{}", line);
 }
 
-/// Of rows, by entries() of each.
+/// Writes a table of rows, by entries() of each.
 void table_of_rows(Writer& writer, std::string_view name, const auto& rows) {
     writer.open("static constexpr Scalar {}[{}][{}] = {{", name, rows.size(), rows.front().size());
     for (const auto& row : rows) {

@@ -1,4 +1,4 @@
-// Templates and parts of the runtime, which are part of the program.
+// Templates and parts of the runtime that are embedded in the program.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -10,8 +10,8 @@ namespace hvi::gen {
 
 [[nodiscard]] std::span<const EmbeddedFile> embedded_templates();
 
-/// The text of `templates/NAME` or `src/hvi/NAME`. Precondition: there is such a file among those
-/// that the build names.
+/// Returns the text of `templates/NAME` or `src/hvi/NAME`. Precondition: there is such a file among
+/// those that the build names.
 [[nodiscard]] std::string_view embedded_template(std::string_view name);
 
 }  // namespace hvi::gen

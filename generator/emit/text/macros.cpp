@@ -15,14 +15,14 @@ auto capitals_in(std::string_view name) {
     return std::count_if(name.begin(), name.end(), [](char c) { return c >= 'A' && c <= 'Z'; });
 }
 
-/// Names that begin so are macros in whatever letters they go on.
+/// Beginnings of names of macros that are too many to be listed.
 constexpr std::array<std::string_view, 11> families{
     "EIGEN_",   "HVI_",   "SYS_",   "atomic_", "ei_",    "eigen_",
     "pthread_", "sigev_", "vec2d_", "vec4f_",  "vec4i_",
 };
 
-/// Macros of the standard library, of C, and of compilers for this and other systems; each with a
-/// blank behind it.
+/// Macros of the standard library, of C, and of compilers for this and other systems; each followed
+/// by a blank.
 constexpr std::string_view others =
     "L_ctermid L_cuserid L_tmpnam P_tmpdir alloca assert assert_perror be16toh be32toh "
     "be64toh complex errno htobe16 htobe32 htobe64 htole16 htole32 htole64 i386 imaginary "
@@ -42,14 +42,15 @@ bool is_in(std::string_view list, std::string_view name) {
     return false;
 }
 
-/// Whether it names how <cinttypes> prints or scans an integer, as `PRId64` does.
+/// Returns whether the name is an integer format of <cinttypes>, as `PRId64` is.
 bool is_integer_format(std::string_view name) {
     constexpr std::string_view conversions = "bdioux";
     return (name.starts_with("PRI") || name.starts_with("SCN")) && name.size() > 3 &&
            conversions.find(name[3]) != std::string_view::npos;
 }
 
-/// Whether it names a constant of <cmath> in one of several formats, as `M_PIf128` and `M_El` do.
+/// Returns whether the name is a constant of <cmath> in one of several formats, as `M_PIf128` and
+/// `M_El` are.
 bool is_constant_in_format(std::string_view name) {
     constexpr std::array<std::string_view, 8> formats{"f16",  "f32",  "f64", "f128",
                                                       "f32x", "f64x", "f",   "l"};

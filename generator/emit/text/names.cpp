@@ -18,7 +18,7 @@ bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_word(char c) { return is_lower(c) || is_upper(c) || is_digit(c); }
 char to_upper(char c) { return is_lower(c) ? static_cast<char>(c - 'a' + 'A') : c; }
 
-/// Sorted. Of C++17 and C++20.
+/// Keywords of C++17 and C++20, sorted.
 constexpr std::array<std::string_view, 92> keywords{
     "alignas",       "alignof",     "and",
     "and_eq",        "asm",         "auto",
@@ -53,8 +53,8 @@ constexpr std::array<std::string_view, 92> keywords{
     "xor",           "xor_eq",
 };
 
-/// What means something else where the class is declared: members, template parameters, and names
-/// of hvi.
+/// Names that have another meaning where the class is declared: members, template parameters, and
+/// names of hvi.
 constexpr std::array<std::string_view, 36> taken{
     "System",     "Solver",    "Vector", "State",      "Status", "Index",   "Coupled", "Stages",
     "Sum",        "step",      "reset",  "Trajectory", "Values", "predict", "system_", "s_",
@@ -63,12 +63,12 @@ constexpr std::array<std::string_view, 36> taken{
     "FixedPoint", "Newton",    "Scalar", "rounded",
 };
 
-/// The same where the constructor takes a parameter.
+/// Names that are taken where the constructor takes a parameter.
 constexpr std::array<std::string_view, 7> taken_by_coefficients{
     "Coefficients", "Functions", "coefficients", "coefficients_", "status", "parameter", "at",
 };
 
-/// The same where a scene has functions of its own.
+/// Names that are taken where a scene has functions of its own.
 constexpr std::array<std::string_view, 43> taken_by_scenes{
     "dHdq",
     "dHdp",
@@ -115,13 +115,13 @@ constexpr std::array<std::string_view, 43> taken_by_scenes{
     "has_diagonal_mass",
 };
 
-/// The same where it has an action.
+/// Names that are taken where the class has an action.
 constexpr std::array<std::string_view, 5> taken_by_actions{
     "generating_function", "action", "action_", "integral_over_step", "lagrangian",
 };
 
-/// Tables of ours, and what is declared in functions alone: these give way to functions of the user
-/// that have their names.
+/// Names of tables of the stepper, and of variables that are declared in functions alone: they give
+/// way to functions of the user with these names.
 constexpr std::array<std::string_view, 6> tables{"b", "c", "m", "mt", "n", "N"};
 constexpr std::array<std::string_view, 5> locals{"q", "p", "t", "x", "h"};
 
@@ -140,8 +140,8 @@ bool is_reserved(std::string_view name) {
            (name.size() > 1 && name[0] == '_' && is_upper(name[1]));
 }
 
-/// What begins the names of C functions cannot be called like: headers of C, in whose place NAME.h
-/// would be found, and NAME where NAME_create() is there already.
+/// Prefixes that C functions of a module cannot have: the names of headers of C, in whose place
+/// NAME.h would be found, and each NAME for which NAME_create() exists.
 constexpr std::array<std::string_view, 35> taken_by_c{
     "assert", "complex", "ctype",   "errno",  "fenv",      "float",  "inttypes", "iso646", "limits",
     "locale", "math",    "setjmp",  "signal", "stdalign",  "stdarg", "stdbit",   "stddef", "stdint",
@@ -158,20 +158,21 @@ bool is_keyword(std::string_view name) {
     return std::binary_search(keywords.begin(), keywords.end(), name);
 }
 
-/// Whether the declaration of a parameter of a scene mentions it.
+/// Returns whether the declaration of a scene's parameter contains the name.
 bool names_type(std::string_view name) {
     return name == "Number" || name == "Numbers" || name == "Scalar" || name == "Parameters" ||
            name == "std" || name == "hvi";
 }
 
-/// Whether it is that word and digits: `Coupled1` and the like are structs of the class.
+/// Returns whether the name is that word followed by digits: `Coupled1` and the like are structs of
+/// the class.
 bool is_numbered(std::string_view name, std::string_view word) {
     return name.substr(0, word.size()) == word &&
            std::all_of(name.begin() + static_cast<std::ptrdiff_t>(word.size()), name.end(),
                        is_digit);
 }
 
-/// Whether it is what member_name() makes of another name: `LZ_`.
+/// Returns whether member_name() makes this name of another one: `LZ_`.
 bool is_renamed(std::string_view name) {
     return name.size() > 1 && name.back() == '_' &&
            member_name(name.substr(0, name.size() - 1)) == name;
@@ -185,7 +186,8 @@ bool is_taken(std::string_view name) {
            is_in(taken_by_actions) || is_numbered(name, "Coupled");
 }
 
-/// `gauss:2` -> `Gauss2`: letters and digits alone, with a capital behind what is left out.
+/// Returns `Gauss2` for `gauss:2`: letters and digits alone, with a capital after each character
+/// that is left out.
 std::string joined_words(std::string_view method) {
     std::string name;
     bool at_start = true;
@@ -205,7 +207,7 @@ std::string joined_words(std::string_view method) {
     throw InputError(fmt::format("'{}' {}", name, meaning), place, help);
 }
 
-/// NOTE: of names that are spelled as macros are each caller knows what to do.
+/// NOTE: callers treat names that are spelled like macros in their own ways.
 void check_word(std::string_view name, const std::optional<Place>& place, const std::string& help) {
     if (is_keyword(name)) { refuse(name, "is a word of C++ itself", place, help); }
     if (is_macro(name) && !is_spelled_as_macro(name)) {

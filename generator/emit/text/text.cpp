@@ -10,8 +10,8 @@
 namespace hvi::gen {
 namespace {
 
-/// Where to break a line of at most `room` columns: before a binary operator, else at a blank. The
-/// position of the blank; npos when there is none.
+/// Returns where to break a line of at most `room` columns: before a binary operator, else at a
+/// blank. The result is the position of the blank; npos when there is none.
 std::size_t break_at(std::string_view text, std::size_t room) {
     for (std::size_t i = std::min(room, text.size() - 1); i > 0; --i) {
         const bool is_operator =
@@ -22,7 +22,7 @@ std::size_t break_at(std::string_view text, std::size_t room) {
     return blank == 0 ? std::string_view::npos : blank;
 }
 
-/// A closed form has no blanks; it is broken before an operator.
+/// Returns where to break a comment. A closed form has no blanks; it is broken before an operator.
 std::size_t break_comment_at(std::string_view text, std::size_t room) {
     const std::size_t blank = text.rfind(' ', room);
     if (blank != std::string_view::npos && blank > 0) { return blank; }
@@ -39,7 +39,8 @@ std::string_view without_trailing_blanks(std::string_view text) {
     return text.substr(0, text.find_last_not_of(' ') + 1);
 }
 
-/// A line of a comment without what joins the next line to it: a backslash, or its trigraph.
+/// Returns a line of a comment without a backslash at its end, or its trigraph, which would join
+/// the next line to it.
 std::string_view without_splice(std::string_view line) {
     for (const std::string_view splice : {"\\", "?\?/"}) {
         const std::string_view text = without_trailing_blanks(line);
@@ -51,7 +52,7 @@ std::string_view without_splice(std::string_view line) {
     return line;
 }
 
-/// A statement in lines, all but the first of which have four columns less.
+/// Returns a statement in lines. All lines but the first have four columns less.
 std::vector<std::string_view> broken(std::string_view statement, std::size_t room) {
     std::vector<std::string_view> lines;
     while (statement.size() > room) {
@@ -88,7 +89,8 @@ Template parse(std::string_view text) {
     return result;
 }
 
-/// The lines of `value`, all but the first after `indentation` blanks unless they are empty.
+/// Returns the lines of `value`, all but the first after `indentation` blanks unless they are
+/// empty.
 std::string indented(std::string_view value, std::size_t indentation) {
     std::string result;
     for (const char c : value) {
@@ -124,7 +126,8 @@ std::string shortest(auto value) {
     return text;
 }
 
-/// NOTE: a hole that takes its line away may leave two empty lines, or one before a brace.
+/// Returns the text without double empty lines, and without an empty line before a brace, which
+/// holes that take their lines away may leave.
 std::string tidy(std::string_view text) {
     std::string result;
     for (std::size_t i = 0; i < text.size(); ++i) {

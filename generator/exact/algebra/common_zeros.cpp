@@ -8,7 +8,7 @@ namespace hvi::gen {
 
 namespace {
 
-/// The variable that occurs; empty where there are several.
+/// Returns the variable that occurs; empty where there are several.
 std::optional<std::size_t> single_variable(const std::vector<IntegerMultivariate>& polynomials) {
     std::optional<std::size_t> variable;
     for (const IntegerMultivariate& polynomial : polynomials) {
@@ -21,7 +21,7 @@ std::optional<std::size_t> single_variable(const std::vector<IntegerMultivariate
     return variable;
 }
 
-/// The numerator, where nothing but transcendental generators occurs.
+/// Returns the numerator, where nothing but transcendental generators occurs.
 std::optional<IntegerMultivariate> numerator(const Number& number) {
     const Element* const element = number.value().element();
     if (element == nullptr || element->level() > 0) { return {}; }

@@ -13,7 +13,7 @@ namespace hvi::gen {
 
 namespace {
 
-/// row -= factor * pivot_row
+/// Sets row -= factor * pivot_row.
 void subtract_multiple(NumberVector& row, const Number& factor, const NumberVector& pivot_row) {
     for (std::size_t j = 0; j < row.size(); ++j) row[j] = row[j] - factor * pivot_row[j];
 }
@@ -22,8 +22,8 @@ void subtract_multiple(NumberVector& row, const Number& factor, const NumberVect
 
 namespace {
 
-/// sum_j left_j right_j. NOTE: where enclosures are involved it is one node of their graph, not a
-/// product and a sum for each j; factors 0 and 1 keep their exact meaning.
+/// Returns sum_j left_j right_j. NOTE: where enclosures are involved it is one node of their graph,
+/// not a product and a sum for each j; factors 0 and 1 keep their exact meaning.
 Number dot(const NumberVector& left, const NumberVector& right) {
     NumberVector a, b;
     for (std::size_t j = 0; j < left.size(); ++j) {
@@ -60,8 +60,8 @@ bool is_rational(const NumberMatrix& matrix) {
                        [](const NumberVector& row) { return is_rational(row); });
 }
 
-/// By FLINT, which sums without a division for each term; the right factor by its columns.
-/// Precondition: all entries are rational.
+/// Returns the product, computed by FLINT, which sums without a division for each term; the right
+/// factor is given by its columns. Precondition: all entries are rational.
 NumberMatrix rational_product(const NumberMatrix& matrix, const NumberMatrix& columns) {
     const std::size_t inner = columns.front().size();
     RationalMatrix left(matrix.size(), inner);
@@ -85,7 +85,7 @@ NumberMatrix rational_product(const NumberMatrix& matrix, const NumberMatrix& co
     return result;
 }
 
-/// matrix * right, the right factor by its columns.
+/// Returns matrix * right, where the right factor is given by its columns.
 NumberMatrix product(const NumberMatrix& matrix, const NumberMatrix& columns) {
     if (!columns.empty() && is_rational(columns) && is_rational(matrix)) {
         return rational_product(matrix, columns);
@@ -208,7 +208,7 @@ NumberMatrix kronecker(const NumberMatrix& left, const NumberMatrix& right) {
 
 namespace {
 
-/// Whether elimination would divide by sums of generators, again and again.
+/// Returns whether elimination would divide by sums of generators, again and again.
 bool has_generators(const NumberMatrix& matrix) {
     bool found = false;
     for (const NumberVector& row : matrix) {
@@ -221,9 +221,9 @@ bool has_generators(const NumberMatrix& matrix) {
     return found;
 }
 
-/// The row from k on whose entry in column k is to be divided by; empty where all of them are zero.
-/// NOTE: exact ones come first: what they eliminate vanishes exactly, and a zero of the inverse is
-/// none of which enclosures would leave it open.
+/// Returns the row from k on whose entry in column k is divided by; empty where all of them are
+/// zero. NOTE: exact entries come first. They eliminate exactly, so that the inverse has zeros
+/// where enclosures would leave the question open.
 std::optional<std::size_t> pivot_row(const NumberMatrix& rows, std::size_t k) {
     for (std::size_t i = k; i < rows.size(); ++i) {
         if (is_exact(rows[i][k]) && !rows[i][k].is_zero()) { return i; }
@@ -234,7 +234,7 @@ std::optional<std::size_t> pivot_row(const NumberMatrix& rows, std::size_t k) {
     return std::nullopt;
 }
 
-/// Gauss-Jordan elimination.
+/// Returns the inverse by Gauss-Jordan elimination.
 std::optional<NumberMatrix> by_elimination(const NumberMatrix& matrix) {
     const std::size_t s = matrix.size();
     NumberMatrix rows = matrix;  // [matrix | identity]
@@ -285,8 +285,8 @@ Number common_denominator(const NumberMatrix& rows) {
 }
 
 std::optional<NumberVector> left_null_vector(const NumberMatrix& matrix) {
-    // Row echelon form of [matrix | identity]: a row that vanishes on the left shows on the right
-    // which combination of rows it is.
+    // Row echelon form of [matrix | identity]: where a row vanishes on the left, the right shows
+    // the combination of rows that it is.
     const std::size_t count = matrix.size();
     const std::size_t columns = matrix.front().size();
     NumberMatrix rows = matrix;

@@ -19,36 +19,36 @@ namespace hvi::gen {
 [[nodiscard]] bool is_zero(const NumberMatrix& matrix);
 [[nodiscard]] bool is_table(const NumberMatrix& matrix, std::size_t height, std::size_t width);
 
-/// Rows first .. last - 1.
+/// Returns rows first .. last - 1.
 [[nodiscard]] NumberMatrix rows(const NumberMatrix& matrix, std::size_t first, std::size_t last);
 [[nodiscard]] NumberMatrix stacked(NumberMatrix upper, const NumberMatrix& lower);
 [[nodiscard]] NumberMatrix beside(NumberMatrix left, const NumberMatrix& right);
 
-/// Kronecker's product: blocks left_ij * right.
+/// Returns Kronecker's product, with blocks left_ij * right.
 [[nodiscard]] NumberMatrix kronecker(const NumberMatrix& left, const NumberMatrix& right);
 
-/// The same numbers by their enclosures alone; 0 and 1 keep their exact meaning. Precondition: no
+/// Return the numbers by their enclosures alone; 0 and 1 keep their exact meaning. Precondition: no
 /// free parameter.
 [[nodiscard]] Number without_closed_form(const Number& number);
 [[nodiscard]] NumberVector without_closed_form(const NumberVector& numbers);
 [[nodiscard]] NumberMatrix without_closed_form(const NumberMatrix& rows);
 
-/// A matrix and a number by which it is to be divided: sums of products are taken before the
-/// division, which in a field with generators is what costs.
+/// A matrix and a number to divide it by: sums of products are taken before the division, which is
+/// what costs in a field with generators.
 struct ScaledInverse {
     NumberMatrix adjugate;
     Number determinant;
 };
 
-/// The inverse of a square matrix; empty when it is singular.
+/// Returns the inverse of a square matrix; empty when it is singular.
 [[nodiscard]] std::optional<ScaledInverse> inverse(const NumberMatrix& matrix);
 
-/// A number, not zero, whose products with the entries have no denominators. Precondition: they are
-/// exact.
+/// Returns a number, not zero, whose products with the entries have no denominators. Precondition:
+/// the entries are exact.
 [[nodiscard]] Number common_denominator(const NumberMatrix& rows);
 
-/// A vector v != 0 with v^T matrix = 0, or empty when the rows are independent. The last component
-/// that is not zero is 1.
+/// Returns a vector v != 0 with v^T matrix = 0; empty when the rows are independent. The last
+/// component that is not zero is 1.
 [[nodiscard]] std::optional<NumberVector> left_null_vector(const NumberMatrix& matrix);
 
 }  // namespace hvi::gen

@@ -16,7 +16,7 @@ namespace {
 
 constexpr Precision working_bits = 256;
 
-/// A matrix of Arb, as long as it lives.
+/// A matrix of Arb, freed by the destructor.
 class ComplexMatrix {
 public:
     ComplexMatrix(slong rows, slong columns) { acb_mat_init(matrix_, rows, columns); }
@@ -56,7 +56,7 @@ double size_of(acb_srcptr value) {
     return std::hypot(middle(acb_realref(value)), middle(acb_imagref(value)));
 }
 
-/// False where the eigenvalues are not isolated.
+/// Computes eigenvalues and eigenvectors. Returns false where the eigenvalues are not isolated.
 bool eigenvalues(acb_ptr values, ComplexMatrix& vectors, const NumberMatrix& C) {
     const auto n = static_cast<slong>(C.size());
     ComplexMatrix matrix(n, n), approximate_vectors(n, n);
@@ -76,8 +76,8 @@ bool eigenvalues(acb_ptr values, ComplexMatrix& vectors, const NumberMatrix& C) 
     return simple;
 }
 
-/// NOTE: to a first component, among those of nearly the largest size, that is 1: the vector that
-/// was found may be any multiple.
+/// NOTE: normalised so that a component of nearly the largest size, the first such one, is 1. The
+/// vector that Arb finds may be any multiple.
 void normalise(ComplexMatrix& vectors, slong column, slong n) {
     double largest = 0;
     for (slong i = 0; i < n; ++i) { largest = std::max(largest, size_of(vectors.at(i, column))); }
@@ -92,8 +92,9 @@ void normalise(ComplexMatrix& vectors, slong column, slong n) {
     acb_clear(factor);
 }
 
-/// One real eigenvalue, or the one of a pair whose imaginary part is positive. NOTE: enclosures
-/// that do not meet and one of which meets its mirror image: its eigenvalue is its own conjugate.
+/// Place of a real eigenvalue, or of the one of a pair whose imaginary part is positive. NOTE:
+/// where enclosures do not meet and one meets its own mirror image, its eigenvalue is its own
+/// conjugate.
 struct Place {
     slong column;
     bool is_real;
@@ -134,8 +135,9 @@ bool all_finite(const RealModes& modes) {
            std::all_of(modes.from.begin(), modes.from.end(), finite);
 }
 
-/// Columns: the vector of a real eigenvalue, real and imaginary part of that of a pair. C (u + iv)
-/// = (alpha + i beta)(u + iv) is C u = alpha u - beta v, C v = beta u + alpha v.
+/// Returns the modes. Columns are the vector of a real eigenvalue, or real and imaginary part of
+/// that of a pair. C (u + iv) = (alpha + i beta)(u + iv) is C u = alpha u - beta v, C v = beta u +
+/// alpha v.
 std::optional<RealModes> modes_of(acb_srcptr values, ComplexMatrix& vectors, slong n) {
     RealModes modes;
     RealMatrix from(n), to(n);

@@ -126,7 +126,7 @@ NumberPolynomial with_numbers(const RationalPolynomial& polynomial, const Ground
 
 namespace {
 
-/// tau^2 + p tau + q without its real roots, if it has any.
+/// Appends tau^2 + p tau + q, or its two linear factors if it has real roots.
 void append_quadratic(std::vector<Factorization::Part>& parts, const NumberPolynomial& monic,
                       unsigned multiplicity, const Ground& ground) {
     const Number half = monic[1] / Number(2);

@@ -9,14 +9,14 @@
 
 namespace hvi::gen {
 
-/// Zero has no coefficients.
+/// Coefficients, lowest first. Zero has none.
 using NumberPolynomial = NumberVector;
 
 void trim(NumberPolynomial& polynomial);
 [[nodiscard]] NumberPolynomial sum(const NumberPolynomial& a, const NumberPolynomial& b);
 [[nodiscard]] NumberPolynomial product(const NumberPolynomial& a, const NumberPolynomial& b);
 [[nodiscard]] NumberPolynomial scaled(const NumberPolynomial& a, const Number& factor);
-/// x times it.
+/// Returns tau times the polynomial.
 [[nodiscard]] NumberPolynomial shifted(NumberPolynomial polynomial);
 [[nodiscard]] NumberPolynomial power_of(const NumberPolynomial& base, unsigned exponent);
 [[nodiscard]] Number value_at(const NumberPolynomial& polynomial, const Number& point);
@@ -24,26 +24,28 @@ void trim(NumberPolynomial& polynomial);
 struct Division {
     NumberPolynomial quotient, remainder;
 };
-/// Precondition: the divisor is not zero.
+/// Divides with remainder. Precondition: the divisor is not zero.
 [[nodiscard]] Division divide(const NumberPolynomial& dividend, const NumberPolynomial& divisor);
 
-/// The greatest common divisor, but for a constant factor. Precondition: one of them is not zero.
+/// Returns the greatest common divisor, but for a constant factor. Precondition: one of them is not
+/// zero.
 [[nodiscard]] NumberPolynomial gcd(NumberPolynomial a, NumberPolynomial b);
 
-/// u a + v b = 1 with deg u < deg b and deg v < deg a; empty when a and b are not coprime.
+/// Factors with u a + v b = 1, deg u < deg b and deg v < deg a; empty when a and b are not coprime.
 /// Precondition: neither is constant.
 struct Bezout {
     NumberPolynomial u, v;
 };
 [[nodiscard]] std::optional<Bezout> bezout(const NumberPolynomial& a, const NumberPolynomial& b);
 
-/// The same polynomial over Q, when its coefficients are rational, and back.
+/// Return the polynomial over Q, when its coefficients are rational, and back.
 [[nodiscard]] std::optional<RationalPolynomial> over_rationals(const NumberPolynomial& polynomial);
 [[nodiscard]] NumberPolynomial with_numbers(const RationalPolynomial& polynomial,
                                             const Ground& ground);
 
-/// polynomial = factor * product of parts: monic, over the real numbers coprime to each other, of
-/// degree 1, of degree 2 without a real root, or irreducible over Q of degree 3 or more.
+/// A factorization polynomial = factor * product of parts. The parts are monic and, over the real
+/// numbers, coprime to each other; they have degree 1, degree 2 without a real root, or degree 3 or
+/// more and are irreducible over Q.
 struct Factorization {
     Number factor;
     struct Part {
@@ -52,8 +54,8 @@ struct Factorization {
     };
     std::vector<Part> parts;
 };
-/// Empty for coefficients that are not exact or have free parameters, and for those of degree 3 or
-/// more that are not rational. Precondition: not zero.
+/// Returns the factorization. Empty for coefficients that are not exact or have free parameters,
+/// and for polynomials of degree 3 or more that are not rational. Precondition: not zero.
 [[nodiscard]] std::optional<Factorization> factorize(const NumberPolynomial& polynomial,
                                                      const Ground& ground);
 

@@ -1,4 +1,4 @@
-// Vectors and matrices of exact numbers, as they are kept.
+// Types of vectors and matrices of exact numbers.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 

@@ -113,7 +113,7 @@ RationalPolynomial legendre(unsigned degree) {
 }
 
 RationalPolynomial chebyshev_equal_weights(unsigned degree) {
-    // In y = 1/x: the first degree + 1 coefficients of exp(-s sum_k y^2k / (2k (2k+1))), reversed.
+    // The first degree + 1 coefficients of exp(-s sum_k y^2k / (2k (2k+1))) in y = 1/x, reversed.
     RationalPolynomial exponent;
     for (unsigned k = 1; 2 * k <= degree; ++k) {
         exponent.set_coefficient(2 * k, "-" + std::to_string(degree) + "/" +
@@ -128,7 +128,8 @@ RationalPolynomial chebyshev_equal_weights(unsigned degree) {
 
 namespace {
 
-/// The numerator of a polynomial over Q, an irreducible factor of one, ...: FLINT's over Z.
+/// An integer polynomial of FLINT: the numerator of a polynomial over Q, an irreducible factor of
+/// one, ...
 class IntegerPolynomial {
 public:
     IntegerPolynomial() { fmpz_poly_init(polynomial_); }
@@ -141,7 +142,8 @@ private:
     fmpz_poly_t polynomial_;
 };
 
-/// Real roots of an irreducible polynomial, isolated at the working precision, ascending.
+/// Returns the real roots of an irreducible polynomial, isolated at the working precision,
+/// ascending.
 std::vector<Ball> isolate(IntegerPolynomial& factor, Precision bits) {
     const slong degree = fmpz_poly_degree(factor.get());
     acb_ptr roots = _acb_vec_init(degree);
@@ -188,7 +190,7 @@ NumberVector coefficients(IntegerPolynomial& factor, const Ground& ground) {
     return result;
 }
 
-/// Real roots of a x^2 + b x + c, if any.
+/// Returns the real roots of a x^2 + b x + c, if any.
 NumberVector quadratic_roots(const Number& a, const Number& b, const Number& c,
                              const Ground& ground) {
     const Number discriminant = b * b - Number(4) * a * c;
@@ -197,7 +199,8 @@ NumberVector quadratic_roots(const Number& a, const Number& b, const Number& c,
     return {(-b - root) / (Number(2) * a), (-b + root) / (Number(2) * a)};
 }
 
-/// Whether the factor's roots are written with square roots; they are then appended.
+/// Appends the roots of a factor where they are written with square roots. Returns whether they
+/// are.
 bool append_exact_roots(NumberVector& roots, IntegerPolynomial& factor, const Ground& ground) {
     const NumberVector k = coefficients(factor, ground);
     if (k.size() == 2) {

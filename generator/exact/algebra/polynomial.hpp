@@ -30,7 +30,7 @@ public:
     }
     ~RationalPolynomial() { fmpq_poly_clear(polynomial_); }
 
-    /// The polynomial x.
+    /// Returns the polynomial x.
     [[nodiscard]] static RationalPolynomial variable();
 
     [[nodiscard]] fmpq_poly_struct* get() { return polynomial_; }
@@ -38,16 +38,17 @@ public:
 
     [[nodiscard]] long degree() const { return fmpq_poly_degree(polynomial_); }  ///< -1 for zero
 
-    /// The coefficient of x^index as `-2/3`; `fraction` is what `Ground::rational` takes.
+    /// Returns the coefficient of x^index as `-2/3`; `fraction` is a text that `Ground::rational`
+    /// takes.
     [[nodiscard]] std::string coefficient(long index) const;
     void set_coefficient(long index, const std::string& fraction);
 
     [[nodiscard]] RationalPolynomial derivative() const;
 
-    /// The integral over [0, 1], as `-2/3`.
+    /// Returns the integral over [0, 1], as `-2/3`.
     [[nodiscard]] std::string integral_over_unit_interval() const;
 
-    /// The polynomial at an affine argument: P(slope x + offset).
+    /// Returns the polynomial at an affine argument: P(slope x + offset).
     [[nodiscard]] RationalPolynomial at_affine(long slope, long offset) const;
 
     friend RationalPolynomial operator+(const RationalPolynomial& a, const RationalPolynomial& b);
@@ -58,30 +59,31 @@ private:
     fmpq_poly_t polynomial_;
 };
 
-/// Divided by its leading coefficient. Precondition: not zero.
+/// Returns the polynomial divided by its leading coefficient. Precondition: not zero.
 [[nodiscard]] RationalPolynomial monic(RationalPolynomial polynomial);
 
-/// The integral from 0 on.
+/// Returns the integral from 0 on.
 [[nodiscard]] RationalPolynomial antiderivative(const RationalPolynomial& polynomial);
 
 [[nodiscard]] bool operator==(const RationalPolynomial& a, const RationalPolynomial& b);
 
-/// a modulo P.
+/// Returns a modulo P.
 [[nodiscard]] RationalPolynomial remainder(const RationalPolynomial& a,
                                            const RationalPolynomial& P);
 
-/// 1/a modulo P, when they have no common root.
+/// Returns 1/a modulo P, when they have no common root.
 [[nodiscard]] std::optional<RationalPolynomial> inverse_modulo(const RationalPolynomial& a,
                                                                const RationalPolynomial& P);
 
-/// Legendre's polynomial P_degree on [-1, 1].
+/// Returns Legendre's polynomial P_degree on [-1, 1].
 [[nodiscard]] RationalPolynomial legendre(unsigned degree);
 
-/// Chebyshev's polynomial T_degree on [-1, 1].
+/// Returns Chebyshev's polynomial T_degree on [-1, 1].
 [[nodiscard]] RationalPolynomial chebyshev_t(unsigned degree);
 
-/// The monic polynomial on [-1, 1] whose roots are the nodes of Chebyshev's quadrature with equal
-/// weights: G_s of (4.20), the polynomial part of x^s exp(-s (1/(2*3 x^2) + 1/(4*5 x^4) + ...)).
+/// Returns the monic polynomial on [-1, 1] whose roots are the nodes of Chebyshev's quadrature with
+/// equal weights: G_s of (4.20), the polynomial part of x^s exp(-s (1/(2*3 x^2) + 1/(4*5 x^4) +
+/// ...)).
 [[nodiscard]] RationalPolynomial chebyshev_equal_weights(unsigned degree);
 
 /// A monic irreducible factor over Q, and how often it divides.
@@ -90,18 +92,18 @@ struct IrreducibleFactor {
     unsigned multiplicity = 1;
 };
 
-/// The monic irreducible factors, in FLINT's order, which does not change from run to run.
+/// Returns the monic irreducible factors, in FLINT's order, which does not change from run to run.
 /// Precondition: not zero.
 [[nodiscard]] std::vector<IrreducibleFactor>
 irreducible_factors(const RationalPolynomial& polynomial);
 
-/// Proven bounds of the values on a ball.
+/// Returns proven bounds of the values on a ball.
 [[nodiscard]] Ball enclosure(const RationalPolynomial& polynomial, const Ball& argument,
                              Precision bits);
 
-/// All real roots, each once, ascending. Exact for factors of degree 1, 2, and 4 where shifting the
-/// variable makes them polynomials in its square; otherwise enclosed by isolating balls.
-/// Precondition: not zero.
+/// Returns all real roots, each once, ascending. Exact for factors of degree 1, 2, and 4 where
+/// shifting the variable makes them polynomials in its square; otherwise enclosed by isolating
+/// balls. Precondition: not zero.
 [[nodiscard]] NumberVector real_roots(const RationalPolynomial& polynomial, const Ground& ground);
 
 }  // namespace hvi::gen

@@ -23,9 +23,9 @@ bool have_parameters(const NumberPolynomial& polynomial) {
                        [](const Number& coefficient) { return coefficient.has_parameters(); });
 }
 
-/// Whether bounds of the resultant, the determinant of Sylvester's matrix, prove that there is no
-/// common root. NOTE: Euclid's algorithm in a field with generators takes seconds where this takes
-/// none, and most polynomials that meet here are coprime.
+/// Returns whether bounds of the resultant, the determinant of Sylvester's matrix, prove that there
+/// is no common root. NOTE: Euclid's algorithm in a field with generators takes seconds where these
+/// bounds take no time, and most polynomials that meet here are coprime.
 bool surely_coprime(const NumberPolynomial& a, const NumberPolynomial& b) {
     constexpr Precision bits = 512;
     const std::size_t m = a.size() - 1;
@@ -187,7 +187,7 @@ bool is_less(const Number& left, const Number& right) {
 
 namespace {
 
-/// A Ground over the field of exact coefficients.
+/// Returns a Ground over the field of exact coefficients.
 Ground ground_of(const NumberPolynomial& polynomial) {
     for (const Number& coefficient : polynomial) {
         if (coefficient.value().field) { return Ground(coefficient.value().field); }
@@ -199,7 +199,7 @@ bool is_inside(const Number& z, long bound) {
     return z.sign() > 0 && (Number(bound) - z).sign() > 0;
 }
 
-/// P(z^2)
+/// Returns P(z^2).
 RationalPolynomial of_square(const RationalPolynomial& polynomial) {
     const RationalPolynomial z = RationalPolynomial::variable();
     const RationalPolynomial square = z * z;
@@ -208,8 +208,8 @@ RationalPolynomial of_square(const RationalPolynomial& polynomial) {
     return result;
 }
 
-/// In z, where more polynomials have roots of low degree than in z^2. Each factor has a field of
-/// its own: together they would need more generators than one has.
+/// Appends the roots in z, where more polynomials have roots of low degree than in z^2. Each factor
+/// has a field of its own: together they would need more generators than one field has.
 void append_rational(NumberVector& roots, const RationalPolynomial& polynomial, long bound) {
     for (const IrreducibleFactor& factor : irreducible_factors(of_square(polynomial))) {
         const Ground ground(std::make_shared<Field>(Denominators{}));
@@ -219,7 +219,7 @@ void append_rational(NumberVector& roots, const RationalPolynomial& polynomial, 
     }
 }
 
-/// Without its closed form where that is too long for a line.
+/// Returns the number, without its closed form where that is too long for a line.
 Number readable(const Number& z) {
     constexpr std::size_t most_characters = 90;
     const auto form = z.closed_form();
@@ -227,8 +227,8 @@ Number readable(const Number& z) {
     return number(Real([z](Precision bits) { return enclosure(z, bits); }));
 }
 
-/// By the formulas for degree 1 and 2, if what they give can be read: a square root of a long
-/// number takes long to find and to write, and says no more than its decimals.
+/// Appends roots by the formulas for degree 1 and 2, if the results are short: a square root of a
+/// long number takes long to find and to write, and says no more than its decimals.
 bool append_exact(NumberVector& roots, const NumberPolynomial& polynomial, long bound) {
     constexpr std::size_t most_terms = 12;
     constexpr std::size_t most_under_root = 32;
@@ -253,13 +253,13 @@ bool append_exact(NumberVector& roots, const NumberPolynomial& polynomial, long 
     return true;
 }
 
-/// All complex roots, as Arb isolates them: with some precision the real ones are told apart from
-/// those that are not.
+/// All complex roots, as Arb isolates them: at a sufficient precision the real ones are told apart
+/// from the others.
 class IsolatedRoots {
 public:
     explicit IsolatedRoots(NumberPolynomial polynomial) : polynomial_(std::move(polynomial)) {}
 
-    /// The real ones, ascending, to about so many bits.
+    /// Returns the real roots, ascending, to about `bits` bits.
     [[nodiscard]] const std::vector<Ball>& at(Precision bits) {
         for (Precision working = bits; bits_ < bits; working *= 2) {
             if (working > last_precision) {
@@ -309,7 +309,8 @@ private:
     std::vector<Ball> roots_;
 };
 
-/// NOTE: enclosures do not tell a root at the bound from one inside, so it is divided out.
+/// Returns the polynomial without a root at the bound. NOTE: enclosures do not tell a root at the
+/// bound from one inside, so it is divided out.
 NumberPolynomial without_root_at(const Number& point, const NumberPolynomial& polynomial) {
     const bool is_root = value_at(polynomial, point).known_zero().value_or(false);
     return is_root ? divide(polynomial, {-point, Number(1)}).quotient : polynomial;

@@ -6,14 +6,15 @@
 
 namespace hvi::gen {
 
-/// The polynomials in t = z^2 of which a polynomial in z is made: P(z) = even(z^2) + z odd(z^2).
+/// Return the parts of P(z) = even(z^2) + z odd(z^2), as polynomials in t = z^2.
 [[nodiscard]] NumberPolynomial even(const NumberPolynomial& polynomial);
 [[nodiscard]] NumberPolynomial odd(const NumberPolynomial& polynomial);
 
-/// A number between two others, exactly. Throws MathError when they are not told apart.
+/// Returns a number between two others, exactly. Throws MathError when they are not told apart.
 [[nodiscard]] Ball between(const Number& low, const Number& high);
 
-/// The sign of a polynomial in t at t = z^2. Throws MathError where it is zero, or nearly so.
+/// Returns the sign of a polynomial in t at t = z^2. Throws MathError where it is zero, or nearly
+/// so.
 [[nodiscard]] int sign_at(const NumberPolynomial& polynomial, const Ball& z);
 
 }  // namespace hvi::gen

@@ -10,7 +10,8 @@ namespace hvi::gen {
 
 namespace {
 
-/// Highest power first. Empty where a coefficient has no closed form.
+/// Returns the polynomial with its highest power first. Empty where a coefficient has no closed
+/// form.
 std::optional<Expression> closed_form(const NumberPolynomial& polynomial) {
     std::vector<Expression> terms;
     for (std::size_t k = polynomial.size(); k-- > 0;) {
@@ -59,7 +60,7 @@ std::optional<Expression> closed_form(const PolynomialQuotient& quotient) {
 }
 
 std::optional<double> value_at(const PolynomialQuotient& quotient, double z) {
-    constexpr slong enough_bits = 40;  // behind the binary point
+    constexpr slong enough_bits = 40;  // bits behind the binary point
     Ball argument;
     arb_set_d(argument.get(), z);
     for (Precision bits = first_precision; bits <= last_precision; bits *= 2) {

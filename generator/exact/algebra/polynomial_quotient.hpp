@@ -1,4 +1,4 @@
-// Rational functions of z, as they are written and drawn.
+// Rational functions of z, to be written and drawn.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -13,12 +13,12 @@ struct PolynomialQuotient {
     NumberVector numerator, denominator;
 };
 
-/// As a function of the symbol z; over Q with coprime integers. Empty where a coefficient has no
-/// closed form. Precondition: one coefficient is 1.
+/// Returns a function of the symbol z; over Q it has coprime integers. Empty where a coefficient
+/// has no closed form. Precondition: one coefficient is 1.
 [[nodiscard]] std::optional<Expression> closed_form(const PolynomialQuotient& quotient);
 
-/// Its value rounded to a double that can be plotted; empty where it is infinite or nearly so.
-/// Precondition: no free parameter.
+/// Returns the value, rounded to a double that can be plotted; empty where it is infinite or nearly
+/// so. Precondition: no free parameter.
 [[nodiscard]] std::optional<double> value_at(const PolynomialQuotient& quotient, double z);
 
 }  // namespace hvi::gen

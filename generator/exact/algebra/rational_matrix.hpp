@@ -13,7 +13,7 @@
 
 namespace hvi::gen {
 
-/// A matrix of FLINT's rationals that is freed when it goes.
+/// A matrix of FLINT's rationals, freed by the destructor.
 class RationalMatrix {
 public:
     RationalMatrix(std::size_t rows, std::size_t columns) {
@@ -40,17 +40,18 @@ private:
 [[nodiscard]] bool operator==(const RationalMatrix& left, const RationalMatrix& right);
 [[nodiscard]] RationalMatrix transpose(const RationalMatrix& matrix);
 
-/// The coefficients of 1, x .. x^(width-1), a row for each polynomial. Precondition: their degrees
-/// are below the width.
+/// Returns the coefficients of 1, x .. x^(width-1), a row for each polynomial. Precondition: their
+/// degrees are below the width.
 [[nodiscard]] RationalMatrix coefficient_rows(const std::vector<RationalPolynomial>& polynomials,
                                               std::size_t width);
-/// The polynomial of a single row.
+/// Returns the polynomial of a single row.
 [[nodiscard]] RationalPolynomial polynomial(const RationalMatrix& row);
 
-/// The rows of numbers as a matrix, if all of them are rational. Precondition: there is a row.
+/// Returns the rows of numbers as a matrix, if all of them are rational. Precondition: there is a
+/// row.
 [[nodiscard]] std::optional<RationalMatrix> rational_matrix(const NumberMatrix& rows);
 
-/// det(X + t Y) for square matrices, as a polynomial in t.
+/// Returns det(X + t Y) for square matrices, as a polynomial in t.
 [[nodiscard]] RationalPolynomial determinant_of_pencil(const RationalMatrix& X,
                                                        const RationalMatrix& Y);
 

@@ -15,7 +15,7 @@ Number trace(const NumberMatrix& matrix) {
     return sum;
 }
 
-/// scalar * I - matrix
+/// Returns scalar * I - matrix.
 NumberMatrix scalar_minus(const Number& scalar, NumberMatrix matrix) {
     for (std::size_t i = 0; i < matrix.size(); ++i) {
         for (Number& entry : matrix[i]) { entry = -entry; }

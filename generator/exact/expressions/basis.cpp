@@ -8,14 +8,14 @@ namespace hvi::gen {
 
 namespace {
 
-/// 1, tau, tau^2, ...
+/// Returns one of 1, tau, tau^2, ...
 Expression monomial(long index) {
     if (index == 0) return Expression::integer(1);
     const Expression tau = Expression::symbol("tau");
     return index == 1 ? tau : Expression::power(tau, Expression::integer(index));
 }
 
-/// 1, cos(pi*tau), sin(pi*tau), cos(2*pi*tau), ...
+/// Returns one of 1, cos(pi*tau), sin(pi*tau), cos(2*pi*tau), ...
 Expression trigonometric(long index) {
     if (index == 0) return Expression::integer(1);
     std::vector<Expression> angle{Expression::symbol("pi"), Expression::symbol("tau")};

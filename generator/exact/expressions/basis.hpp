@@ -15,7 +15,7 @@ struct BasisFunction {
     Place place;
 };
 
-/// The functions for a method with these nodes. Throws as evaluate_function does.
+/// Returns the functions for a method with these nodes. Throws as evaluate_function does.
 [[nodiscard]] std::vector<BasisFunction>
 basis_functions(const List& list, const std::vector<Number>& nodes, const Ground& ground);
 

@@ -12,7 +12,7 @@ const char* const must_be_integrable = "a basis function must be integrable on [
 const char* const must_be_real = "a basis function must be real on [0, 1] and at the nodes";
 const char* const give_a_value = "give the parameter a value with --param";
 
-/// A single term without tau^k, wave and step: coefficient * exp(rate tau) * factor.
+/// Returns a single term without tau^k, wave and step: coefficient * exp(rate tau) * factor.
 const ExactTerm* only_term(const ExactFunction& function) {
     if (function.terms().size() != 1) return nullptr;
     const ExactTerm& term = function.terms().front();
@@ -20,7 +20,7 @@ const ExactTerm* only_term(const ExactFunction& function) {
     return fits ? &term : nullptr;
 }
 
-/// The parts of a function: slope*tau + offset + rest.
+/// Parts of a function: slope*tau + offset + rest.
 struct Affine {
     Number slope, offset;
     ExactFunction rest;
@@ -41,7 +41,7 @@ ExactFunction times(const Number& factor, const ExactFunction& function) {
     return ExactFunction(factor) * function;
 }
 
-/// exp(r log L) = L^r.
+/// Returns exp(r log L) as L^r.
 std::optional<ExactFunction> exponential_of_logarithm(const ExactTerm& term) {
     if (term.power != 0 || !term.rate.is_zero() || term.wave != ExactTerm::Wave::none) return {};
     if (term.factor == nullptr) return {};
@@ -142,8 +142,9 @@ std::optional<ExactFunction> FunctionComposition::simple_reciprocal(const ExactF
     return rest * ExactFunction(make_factor(inverse));
 }
 
-/// A sum of partial fractions is N/D with D the product of their denominators, and so 1/f is D/N:
-/// again a sum of partial fractions, over the factors of N.
+/// Returns 1/f as a sum of partial fractions. A sum of partial fractions is N/D, where D is the
+/// product of their denominators. So 1/f is D/N, again a sum of partial fractions, over the factors
+/// of N.
 std::optional<ExactFunction>
 FunctionComposition::rational_reciprocal(const ExactFunction& f) const {
     NumberPolynomial numerator;
@@ -158,7 +159,7 @@ FunctionComposition::rational_reciprocal(const ExactFunction& f) const {
             if (!pole) return std::nullopt;
             below = power_of(pole->polynomial, pole->order);
         }
-        // N/D + above/below, with what D already has of `below` taken out
+        // N/D + above/below, without the part of `below` that D has already
         NumberPolynomial common = gcd(denominator, below);
         const NumberPolynomial more = divide(below, common).quotient;
         const NumberPolynomial other = divide(denominator, common).quotient;
@@ -183,7 +184,7 @@ ExactFunction FunctionComposition::reciprocal(const ExactFunction& divisor) cons
     return ExactFunction(make_factor(Power{divisor, {-1, 1}}));
 }
 
-/// (a tau + b)^exponent
+/// Returns (a tau + b)^exponent.
 ExactFunction FunctionComposition::root_of_line(const NumberPolynomial& line,
                                                 const Ratio& exponent) const {
     LinearPower factor = line_through(scaled(line, Number(1) / line[1]), domain_->middle());
@@ -280,7 +281,7 @@ ExactFunction FunctionComposition::wave(bool cosine, const ExactFunction& argume
            times(cos, ExactFunction::sine(line.slope));
 }
 
-/// log of a product is the sum of logarithms, for factors that are positive.
+/// Returns the logarithm of a product as the sum of logarithms, for factors that are positive.
 ExactFunction FunctionComposition::logarithm(const ExactFunction& argument) const {
     check_ready(argument);
     const ExactTerm* const term = only_term(argument);
@@ -330,7 +331,7 @@ ExactFunction FunctionComposition::tangent(const ExactFunction& argument) const 
     return call_of("tan", argument);
 }
 
-/// (log(1+x) - log(1-x))/2
+/// Returns (log(1+x) - log(1-x))/2.
 ExactFunction FunctionComposition::area_tangent(const ExactFunction& argument) const {
     check_ready(argument);
     const ExactFunction one{Number(1)};
@@ -342,7 +343,7 @@ ExactFunction FunctionComposition::area_tangent(const ExactFunction& argument) c
     return times(half, logarithm(above)) + times(-half, logarithm(below));
 }
 
-/// The root of x, or less that of -x, as its sign is.
+/// Returns the cube root of x, or minus that of -x, by the sign of x.
 ExactFunction FunctionComposition::cube_root(const ExactFunction& argument) const {
     check_ready(argument);
     const Signs found = signs(argument, *domain_, ground_);
@@ -356,7 +357,8 @@ ExactFunction FunctionComposition::cube_root(const ExactFunction& argument) cons
     return times(sign, root(times(sign, argument), {1, 3}));
 }
 
-/// Functions that are called as they are: those that are real everywhere, asin, acos and acosh.
+/// Returns functions that are called by their name: those that are real everywhere, asin, acos and
+/// acosh.
 ExactFunction FunctionComposition::called(const std::string& name,
                                           const ExactFunction& argument) const {
     check_ready(argument);
@@ -396,7 +398,7 @@ ExactFunction FunctionComposition::call(const std::string& name,
     return called(name, argument);
 }
 
-/// Where a factor is infinite, and whether its integral is infinite too.
+/// Place where a factor is infinite, and whether its integral is infinite too.
 struct FunctionComposition::Singularity {
     std::string place;
     bool integrable;

@@ -1,4 +1,4 @@
-// Functions of functions: what 1/f, f^r, exp(f), log(f), ... are in terms of function.hpp.
+// Functions of functions: 1/f, f^r, exp(f), log(f), ... as functions of function.hpp.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -10,26 +10,26 @@
 
 namespace hvi::gen {
 
-/// On a domain on which the results must be real and, but for integrable singularities at its ends,
-/// finite: else MathError with the place of the singularity. Whatever needs to know the domain is
-/// refused with InputError when that is not known, and when a free parameter is left. Errors have
-/// no place in the text.
+/// Compositions on a domain on which the results must be real and finite, except for integrable
+/// singularities at its ends. Otherwise MathError is thrown with the place of the singularity.
+/// InputError is thrown for functions that need the domain when it is not known, and when a free
+/// parameter is left. Errors have no place in the text.
 class FunctionComposition {
 public:
     FunctionComposition(const std::optional<Domain>& domain, const Ground& ground)
         : domain_(domain), ground_(ground) {}
 
-    /// Precondition: not zero.
+    /// Returns 1/divisor. Precondition: not zero.
     [[nodiscard]] ExactFunction reciprocal(const ExactFunction& divisor) const;
 
-    /// base^exponent. Precondition: the exponent is no integer.
+    /// Returns base^exponent. Precondition: the exponent is no integer.
     [[nodiscard]] ExactFunction root(const ExactFunction& base, const Ratio& exponent) const;
 
-    /// A function of one argument by its name, other than sqrt.
+    /// Returns a function of one argument by its name, other than sqrt.
     [[nodiscard]] ExactFunction call(const std::string& name, const ExactFunction& argument) const;
 
-    /// Refuses a function with a singularity at an end of the domain that is not integrable, or of
-    /// which the integral is not built yet.
+    /// Refuses a function with a singularity at an end of the domain that is not integrable, or
+    /// whose integral is not built yet.
     void check_integrable(const ExactFunction& function) const;
 
 private:

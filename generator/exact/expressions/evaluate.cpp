@@ -25,7 +25,8 @@ constexpr double most_digits = 10000;
 constexpr double most_terms = 10000;
 constexpr double most_terms_of_number = 1e6;
 
-/// How many terms it takes to write a number; one that is known by its enclosures counts as one.
+/// Returns how many terms it takes to write a number. A number that is known by its enclosures
+/// counts as one.
 double written_terms(const Number& number) {
     const Element* const element = number.value().element();
     if (element == nullptr) return 1;
@@ -42,7 +43,7 @@ double written_terms(const ExactFunction& function) {
     return sum;
 }
 
-/// Digits of the largest rational in a constant, roughly.
+/// Returns the digits of the largest rational in a constant, approximately.
 double digits_in(const Number& number) {
     const Element* const element = number.value().element();
     if (element == nullptr || !element->is_rational()) return 1;
@@ -51,7 +52,8 @@ double digits_in(const Number& number) {
     return 0.30103 * static_cast<double>(bits);
 }
 
-/// Whether nothing but numbers, pi and e occurs in it, and functions that have exact values.
+/// Returns whether an expression has nothing but numbers, pi and e, and functions that have exact
+/// values.
 bool is_number(const Expression& expression) {
     bool number = own_call_in(expression) == nullptr;
     walk(expression, [&](const Expression& part) {
@@ -84,7 +86,8 @@ private:
         return placed(expression, [&] { return value(expression); });
     }
 
-    /// What `work` returns; its errors get the place of the expression when they have none.
+    /// Returns the result of `work`; its errors get the place of the expression when they have
+    /// none.
     template <class Work>
     ExactFunction placed(const Expression& expression, Work work) const {
         try {
@@ -203,7 +206,7 @@ private:
                                 const Expression& whole) const {
         const ExactFunction factor = exponent < 0 ? reciprocal(base) : evaluate(base);
         const auto count = static_cast<unsigned>(std::abs(exponent));
-        // Binomial bound on the terms of the power of a sum.
+        // binomial bound on the terms of the power of a sum
         const double terms = written_terms(factor);
         double bound = 1;
         for (unsigned i = 1; i <= count && bound <= most_terms; ++i) {
@@ -241,7 +244,7 @@ private:
         return composition_.call(expression.name, argument);
     }
 
-    /// NOTE: what is not chosen need not have a value.
+    /// Returns the chosen alternative. NOTE: the others need not have a value.
     ExactFunction choice(const Expression& expression) const {
         const Number a = number(expression.arguments[0], "if");
         const Number b = number(expression.arguments[1], "if");

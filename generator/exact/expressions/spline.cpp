@@ -10,13 +10,13 @@ namespace hvi::gen {
 
 namespace {
 
-/// One polynomial for each of the intervals [j/m, (j+1)/m].
+/// A polynomial for each of the intervals [j/m, (j+1)/m].
 using Pieces = std::vector<RationalPolynomial>;
 
-/// Knot number i of `count` B-splines of degree k, times the number m of intervals.
+/// Returns knot number i of `count` B-splines of degree k, times the number m of intervals.
 long knot(long i, long degree, long intervals) { return std::clamp(i - degree, 0L, intervals); }
 
-/// (tau - a/m)/(b/m - a/m), or its difference from 1.
+/// Returns (tau - a/m)/(b/m - a/m), or its difference from 1.
 RationalPolynomial ramp(long a, long b, long intervals, bool falling) {
     const std::string length = std::to_string(b - a);
     RationalPolynomial result;
@@ -29,9 +29,9 @@ void add_product(Pieces& sum, const RationalPolynomial& factor, const Pieces& pi
     for (std::size_t j = 0; j < sum.size(); ++j) sum[j] = sum[j] + factor * pieces[j];
 }
 
-/// The B-splines of degree d that number `first` to `first + k - d` of degree k are made of, by the
-/// recurrence of Cox and de Boor: N_i,d = (t - t_i)/(t_(i+d) - t_i) N_i,d-1
-/// + (t_(i+d+1) - t)/(t_(i+d+1) - t_(i+1)) N_(i+1),d-1, a term over 0 being 0.
+/// Returns the B-splines of degree d that splines number `first` to `first + k - d` of degree k
+/// depend on, by the recurrence of Cox and de Boor: N_i,d = (t - t_i)/(t_(i+d) - t_i) N_i,d-1 +
+/// (t_(i+d+1) - t)/(t_(i+d+1) - t_(i+1)) N_(i+1),d-1, a term over 0 being 0.
 Pieces pieces_of(const SplineIndex& which, long intervals) {
     const auto t = [&](long i) { return knot(i, which.degree, intervals); };
     std::vector<Pieces> splines;

@@ -9,23 +9,24 @@
 
 namespace hvi::gen {
 
-/// `bspline(k,i)`: the i-th B-spline of degree k, i = 0, 1, ...
+/// Index of `bspline(k,i)`: the i-th B-spline of degree k, i = 0, 1, ...
 struct SplineIndex {
     long degree = 0;
     long index = 0;
 };
 
-/// Precondition: a call of bspline as the reader lets it pass.
+/// Returns the index of a call. Precondition: a call of bspline as the reader lets it pass.
 [[nodiscard]] SplineIndex spline_index(const Expression& call);
 
-/// For each degree k of a B-spline in the list how many there are: one more than the largest index.
+/// Returns, for each degree k of a B-spline in the list, the number of B-splines: one more than the
+/// largest index.
 ///
 /// NOTE: the largest index, not the number of items, so that a combination of several B-splines may
 /// stand in one item, and one may be left out where `1` takes its place.
 [[nodiscard]] std::map<long, long> spline_counts(const List& list);
 
-/// The i-th of `count` B-splines of degree k: with m = count - k intervals of equal length,
-/// clamped, that is, on the knots 0 (k+1 times), 1/m, 2/m, ..., 1 (k+1 times). They are not
+/// Returns the i-th of `count` B-splines of degree k: with m = count - k intervals of equal length,
+/// clamped, that is, on the knots 0 (k+1 times), 1/m, 2/m, ..., 1 (k+1 times). B-splines are not
 /// negative, and their sum is 1. At a jump of degree 0 the value is that on the right; outside [0,
 /// 1] the first and the last piece go on. Precondition: count > k, index < count.
 ///

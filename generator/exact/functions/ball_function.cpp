@@ -38,7 +38,7 @@ void scale(Jet& jet, const Ball& factor, Precision bits) {
     acb_mul_arb(jet.slope.get(), jet.slope.get(), factor.get(), bits);
 }
 
-/// f(inner) with f' = derivative.
+/// Returns f(inner) with f' = derivative.
 Jet chain(ComplexBall value, ComplexBall derivative, const Jet& inner, Precision bits) {
     Jet result{std::move(value), std::move(derivative), inner.has_slope};
     acb_mul(result.slope.get(), result.slope.get(), inner.slope.get(), bits);
@@ -56,7 +56,7 @@ Jet integer_power(const Jet& base, long exponent, Precision bits) {
     return chain(std::move(value), std::move(derivative), base, bits);
 }
 
-/// |z|^exponent bounds z^exponent where the branch point 0 is in the ball, exponent > 0.
+/// Encloses z^exponent by |z|^exponent where the branch point 0 is in the ball, exponent > 0.
 void power_around_zero(acb_t result, const acb_t z, const Ratio& exponent, Precision bits) {
     arb_t size;
     arb_init(size);
@@ -69,7 +69,7 @@ void power_around_zero(acb_t result, const acb_t z, const Ratio& exponent, Preci
     arb_clear(size);
 }
 
-/// Whether a ball touches the cut (-oo, 0] of roots and logarithms.
+/// Returns whether a ball touches the cut (-oo, 0] of roots and logarithms.
 bool touches_cut(const acb_t z) {
     return arb_contains_zero(acb_imagref(z)) && !arb_is_positive(acb_realref(z));
 }
@@ -143,11 +143,11 @@ bool touches(Cuts cuts, const acb_t z) {
     return true;
 }
 
-/// One of expr/functions.def.
+/// A function of expr/functions.def.
 struct Elementary {
     void (*value)(acb_t, const acb_t, slong);
     Cuts cuts;
-    Expression derivative;  ///< of x and of the value y
+    Expression derivative;  ///< as a function of x and of the value y
 };
 
 const std::map<std::string_view, Elementary>& elementary_functions() {
@@ -159,7 +159,7 @@ const std::map<std::string_view, Elementary>& elementary_functions() {
     return table;
 }
 
-/// The value of a derivative of the table.
+/// Value of a derivative of the table.
 class DerivativeValue {
 public:
     DerivativeValue(const ComplexBall& x, const ComplexBall& y, Precision bits)
@@ -286,7 +286,7 @@ BallFunction compile_kind(const Product& product, Precision bits) {
     };
 }
 
-/// f(slope tau) for one of the functions of the table.
+/// Returns f(slope tau) for one of the functions of the table.
 BallFunction of_multiple(const char* name, const Number& slope, Precision bits) {
     const Elementary& function = elementary_functions().at(name);
     return [slope = enclosure(slope, bits), &function, bits](const Jet& tau, bool /*analytic*/) {

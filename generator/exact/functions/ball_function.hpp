@@ -11,7 +11,7 @@
 
 namespace hvi::gen {
 
-/// Arb's rectangular complex balls with value semantics.
+/// A rectangular complex ball of Arb, with value semantics.
 class ComplexBall {
 public:
     ComplexBall() { acb_init(ball_); }
@@ -39,15 +39,15 @@ struct Jet {
 };
 
 /// A function with its constants enclosed once. With `analytic` the result is not finite unless the
-/// function is analytic on the whole ball: what acb_calc_integrate asks of an integrand.
+/// function is analytic on the whole ball, as acb_calc_integrate requires of an integrand.
 using BallFunction = std::function<Jet(const Jet& tau, bool analytic)>;
 
-/// Preconditions: no free parameter, no step.
+/// Compile a function, or a term. Preconditions: no free parameter, no step.
 [[nodiscard]] BallFunction compile(const ExactFunction& function, Precision bits);
 [[nodiscard]] BallFunction compile(const ExactTerm& term, Precision bits);
 [[nodiscard]] BallFunction compile(const Factor& factor, Precision bits);
 
-/// The bounds of the real values on a real ball.
+/// Returns bounds of the real values on a real ball.
 [[nodiscard]] Ball real_values(const BallFunction& function, const Ball& tau);
 
 }  // namespace hvi::gen

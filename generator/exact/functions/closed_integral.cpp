@@ -7,8 +7,8 @@ namespace hvi::gen {
 
 namespace {
 
-/// An antiderivative of u^a log(u)^m at u >= 0: u^(a+1) log(u)^m/(a+1) less m/(a+1) times that of
-/// u^a log(u)^(m-1), or log(u)^(m+1)/(m+1).
+/// Returns an antiderivative of u^a log(u)^m at u >= 0: u^(a+1) log(u)^m/(a+1) less m/(a+1) times
+/// the one of u^a log(u)^(m-1), or log(u)^(m+1)/(m+1).
 Number power_log_antiderivative(const Number& u, const Ratio& a, unsigned m, const Ground& ground) {
     const Ratio next = a + Ratio{1, 1};
     if (next.above > 0 && u.is_zero()) return Number(0);
@@ -35,7 +35,7 @@ std::optional<Number> integral_of(const LinearPower& factor, unsigned k, const N
     return Number(factor.sign) * difference;
 }
 
-/// The angle in [0, pi) of a point (x, y) with y >= 0.
+/// Returns the angle in [0, pi) of a point (x, y) with y >= 0.
 Number angle(const Number& x, const Number& y, const Ground& ground) {
     const int side = x.is_zero() ? 0 : x.sign();
     if (side == 0) return ground.pi() / Number(2);
@@ -43,7 +43,7 @@ Number angle(const Number& x, const Number& y, const Ground& ground) {
     return side > 0 ? main : main + ground.pi();
 }
 
-/// The integral of 1/(u^2 + d) over [from, to] is the angle between (sqrt(d), from) and
+/// Returns the integral of 1/(u^2 + d) over [from, to]. It is the angle between (sqrt(d), from) and
 /// (sqrt(d), to), divided by sqrt(d): one angle, so that it is exact more often than two.
 Number arctangent_integral(const Number& d, const Number& from, const Number& to,
                            const Ground& ground) {
@@ -54,8 +54,8 @@ Number arctangent_integral(const Number& d, const Number& from, const Number& to
     return backward ? -result : result;
 }
 
-/// The integrals of 1/(u^2 + d)^n, n = 1 .. order, by
-/// 2 d n I_(n+1) = [u/(u^2 + d)^n] + (2n - 1) I_n.
+/// Returns the integral of 1/(u^2 + d)^order, by the integrals I_n of 1/(u^2 + d)^n and 2 d n
+/// I_(n+1) = [u/(u^2 + d)^n] + (2n - 1) I_n.
 Number quadratic_integral(const Number& d, unsigned order, const Number& from, const Number& to,
                           const Ground& ground) {
     Number result = arctangent_integral(d, from, to, ground);
@@ -67,7 +67,7 @@ Number quadratic_integral(const Number& d, unsigned order, const Number& from, c
     return result;
 }
 
-/// tau^2 + p tau + q = u^2 + d with u = tau + p/2.
+/// Returns the integral of tau^k times a pole, with tau^2 + p tau + q = u^2 + d for u = tau + p/2.
 std::optional<Number> integral_of(const Pole& factor, unsigned k, const Number& from,
                                   const Number& to, const Ground& ground) {
     if (factor.polynomial.size() != 3) return std::nullopt;
@@ -78,7 +78,7 @@ std::optional<Number> integral_of(const Pole& factor, unsigned k, const Number& 
     HVI_CHECK(k == 1);
     const Number lower = value_at(factor.polynomial, from);
     const Number upper = value_at(factor.polynomial, to);
-    Number odd;  // of u/(u^2 + d)^order
+    Number odd;  // integral of u/(u^2 + d)^order
     if (factor.order == 1) {
         odd = ground.log(upper / lower) / Number(2);
     } else {
@@ -89,7 +89,7 @@ std::optional<Number> integral_of(const Pole& factor, unsigned k, const Number& 
     return odd - half * plain;
 }
 
-/// An antiderivative of a function at x, for those that have an elementary one.
+/// Returns an antiderivative of a function at x, for functions that have an elementary one.
 std::optional<Number> antiderivative(const std::string& name, const Number& x,
                                      const Ground& ground) {
     const Number one(1);
@@ -106,8 +106,8 @@ std::optional<Number> antiderivative(const std::string& name, const Number& x,
     return std::nullopt;
 }
 
-/// tau^k log(g) by parts: tau^(k+1)/(k+1) log(g) less the integral of tau^(k+1)/(k+1) g'/g, for a
-/// quadratic g without a real root.
+/// Returns the integral of tau^k log(g) by parts: tau^(k+1)/(k+1) log(g) less the integral of
+/// tau^(k+1)/(k+1) g'/g, for a quadratic g without a real root.
 std::optional<Number> logarithm_integral(const NumberPolynomial& g, unsigned k, const Number& from,
                                          const Number& to, const Ground& ground) {
     if (g.size() != 3 || !g.back().is_one()) return std::nullopt;
@@ -135,7 +135,7 @@ std::optional<Number> integral_of(const Call& factor, unsigned k, const Number& 
     return (*upper - *lower) / argument[1];
 }
 
-/// The integral of 1/sqrt(Q), Q = a tau^2 + b tau + c with two different roots.
+/// Returns the integral of 1/sqrt(Q), Q = a tau^2 + b tau + c with two different roots.
 Number inverse_root_integral(const NumberPolynomial& Q, const Number& discriminant,
                              const Number& from, const Number& to, const Ground& ground) {
     const Number& a = Q[2];
@@ -153,8 +153,8 @@ Number inverse_root_integral(const NumberPolynomial& Q, const Number& discrimina
     return ground.log(inner(to) / inner(from)) / root;
 }
 
-/// The integrals J_k of tau^k/sqrt(Q) by
-/// a k J_k = [tau^(k-1) sqrt(Q)] - b (k - 1/2) J_(k-1) - c (k - 1) J_(k-2).
+/// Returns the integrals J_k of tau^k/sqrt(Q) by a k J_k = [tau^(k-1) sqrt(Q)] - b (k - 1/2)
+/// J_(k-1) - c (k - 1) J_(k-2).
 NumberVector inverse_root_moments(const NumberPolynomial& Q, std::size_t count,
                                   const Number& discriminant, const Number& from, const Number& to,
                                   const Ground& ground) {
@@ -171,7 +171,8 @@ NumberVector inverse_root_moments(const NumberPolynomial& Q, std::size_t count,
     return J;
 }
 
-/// tau^k Q^(m/2) = tau^k Q^((m+1)/2)/sqrt(Q) for a quadratic Q and odd m >= -1.
+/// Returns the integral of tau^k Q^(m/2) = tau^k Q^((m+1)/2)/sqrt(Q) for a quadratic Q and odd m >=
+/// -1.
 std::optional<Number> integral_of(const Power& factor, unsigned k, const Number& from,
                                   const Number& to, const Ground& ground) {
     const bool fits =

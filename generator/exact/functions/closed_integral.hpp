@@ -6,8 +6,8 @@
 
 namespace hvi::gen {
 
-/// The integral of tau^k * factor(tau) over [from, to], where a formula is known: its value may
-/// still have to be enclosed, as that of atan(2). Throws MathError when it is infinite.
+/// Returns the integral of tau^k * factor(tau) over [from, to], where a formula is known. Its value
+/// may still have to be enclosed, as that of atan(2). Throws MathError when it is infinite.
 [[nodiscard]] std::optional<Number> closed_integral(const Factor& factor, unsigned k,
                                                     const Number& from, const Number& to,
                                                     const Ground& ground);

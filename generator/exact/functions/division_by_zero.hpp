@@ -1,4 +1,4 @@
-// A number that is written as a division by zero.
+// Error for a number that is written as a division by zero.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -6,8 +6,8 @@
 
 namespace hvi::gen {
 
-/// Such an item of a list is no number, and cannot be read. What gives a value to something else
-/// may take it for mathematics, which forbids it.
+/// Error for a division by zero. As an item of a list it is no number, and cannot be read. Callers
+/// that give a value to something else may treat it as a mathematical error.
 class DivisionByZero : public InputError {
 public:
     explicit DivisionByZero(std::optional<Place> place = {})

@@ -24,7 +24,8 @@ std::optional<Domain> domain_of(const std::vector<Number>& nodes) {
     Domain result;
     for (const Number& node : nodes) {
         if (node.has_parameters()) return std::nullopt;
-        // NOTE: most nodes lie in [0, 1] and are far from its ends, where this is decided at once.
+        // NOTE: most nodes lie in [0, 1] and far from its ends, where the comparison is decided at
+        // once.
         const Number below = node - result.low;
         const Number above = node - result.high;
         if (below.known_zero() == true || above.known_zero() == true) continue;

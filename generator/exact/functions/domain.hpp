@@ -10,7 +10,7 @@
 
 namespace hvi::gen {
 
-/// The hull of [0, 1] and the nodes: the integrals over [0, c_i] run there.
+/// Hull of [0, 1] and the nodes: the integrals over [0, c_i] run there.
 struct Domain {
     Number low = 0;
     Number high = 1;
@@ -19,11 +19,11 @@ struct Domain {
     [[nodiscard]] std::string text() const;  ///< `[0, 1]`
 };
 
-/// Empty when a node has a free parameter.
+/// Returns the domain. Empty when a node has a free parameter.
 [[nodiscard]] std::optional<Domain> domain_of(const std::vector<Number>& nodes);
 
-/// A point for people: `at tau = 1/3`, `at tau = sqrt(2)/2`, or `near tau = 0.3090` where there is
-/// no closed form, or a long one.
+/// Returns a point in words: `at tau = 1/3`, `at tau = sqrt(2)/2`, or `near tau = 0.3090` where
+/// there is no closed form, or a long one.
 [[nodiscard]] std::string at_tau(const Number& point);
 
 }  // namespace hvi::gen

@@ -14,7 +14,7 @@ namespace {
 
 using ArbFunction = void (*)(arb_t, const arb_t, slong);
 
-/// Angles pi*p/q are looked for up to this q: those that the field writes with square roots.
+/// Largest q of angles pi*p/q that are looked for: the field writes those with square roots.
 constexpr long most_parts_of_pi = 24;
 
 Number enclosed(const Number& argument, ArbFunction function) {
@@ -25,7 +25,7 @@ Number enclosed(const Number& argument, ArbFunction function) {
     }));
 }
 
-/// The integer p for which angle = pi p/q is possible, if there is one.
+/// Returns the only integer p for which angle = pi p/q is possible; empty where there is none.
 std::optional<long> possible_part(const Ball& angle, long q) {
     Ball pi;
     arb_const_pi(pi.get(), first_precision);
@@ -44,8 +44,8 @@ void refuse_parameters(const Number& argument, const char* name) {
                      {}, "give the parameter a value with --param");
 }
 
-/// The inverse of a circular function at an exact number: the pi p/q for which `difference`, of
-/// cosine and sine of the angle, is 0.
+/// Returns the inverse of a circular function at an exact number: the pi p/q for which
+/// `difference`, a function of cosine and sine of the angle, is 0.
 template <class Difference>
 Number inverse_circular(const Number& argument, const Ground& ground, const char* name,
                         ArbFunction function, Difference difference) {
@@ -82,7 +82,7 @@ Number hyperbolic(bool even, const Number& x, const Ground& ground) {
     return (even ? grows + decays : grows - decays) / Number(2);
 }
 
-/// log(x + sqrt(x^2 + square)), where the root is rational.
+/// Returns log(x + sqrt(x^2 + square)), where the root is rational.
 std::optional<Number> area(const Number& x, long square, const Ground& ground) {
     const auto root = rational_root(x * x + Number(square), 2, ground);
     return root ? std::optional(ground.log(x + *root)) : std::nullopt;
@@ -100,7 +100,7 @@ Number error_function(bool complement, const Number& x) {
     return enclosed(x, complement ? arb_erfc : arb_erf);
 }
 
-/// The angle of the point (x, y) in (-pi, pi].
+/// Returns the angle of the point (x, y) in (-pi, pi].
 Number angle_of_point(const Number& y, const Number& x, const Ground& ground) {
     const int up = y.sign(), right = x.sign();
     if (up == 0 && right == 0) { throw MathError("the origin has no angle"); }

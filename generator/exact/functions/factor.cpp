@@ -40,7 +40,7 @@ bool same_kind(const Product& left, const Product& right) {
         [](const FactorPointer& a, const FactorPointer& b) { return a == b || same(*a, *b); });
 }
 
-/// (x + y)^n by powers of y: binomial(n, j) x^(n-j).
+/// Returns the coefficients of (x + y)^n by powers of y: binomial(n, j) x^(n-j).
 std::vector<Number> binomial_coefficients(unsigned n, const Number& x) {
     std::vector<Number> result(n + 1);
     Number choose(1);
@@ -60,7 +60,7 @@ ExactTerm with(const ExactTerm& term, const Number& coefficient, unsigned power,
     return result;
 }
 
-/// tau^k L^n multiplied out.
+/// Returns tau^k L^n multiplied out.
 std::vector<ExactTerm> polynomial_terms(const ExactTerm& term, const LinearPower& factor) {
     std::vector<ExactTerm> result;
     unsigned j = 0;
@@ -73,7 +73,7 @@ std::vector<ExactTerm> polynomial_terms(const ExactTerm& term, const LinearPower
     return result;
 }
 
-/// tau^k = sign^k (L - offset)^k
+/// Returns the terms with tau^k = sign^k (L - offset)^k expanded.
 std::vector<ExactTerm> normal_terms(const ExactTerm& term, const LinearPower& factor) {
     if (factor.is_polynomial()) return polynomial_terms(term, factor);
     if (term.power == 0) return {term};
@@ -95,7 +95,8 @@ std::vector<ExactTerm> normal_terms(const ExactTerm& term, const LinearPower& fa
     return result;
 }
 
-/// tau^k = sum_i r_i p^i with deg r_i < deg p, and so tau^k/p^order = sum_i r_i/p^(order - i).
+/// Returns the terms with tau^k = sum_i r_i p^i, deg r_i < deg p, and so tau^k/p^order = sum_i
+/// r_i/p^(order - i).
 std::vector<ExactTerm> normal_terms(const ExactTerm& term, const Pole& factor) {
     if (term.power + 1 < factor.polynomial.size()) return {term};
     NumberPolynomial rest(term.power + 1);
@@ -128,7 +129,7 @@ std::optional<Pole> as_pole(const Factor& factor) {
 
 namespace {
 
-/// 1/(f g) = u/g + v/f for coprime f and g with u f + v g = 1.
+/// Returns 1/(f g) = u/g + v/f for coprime f and g with u f + v g = 1.
 std::optional<ExactFunction> partial_fractions(const FactorPointer& left,
                                                const FactorPointer& right) {
     const auto a = as_pole(*left);
@@ -142,7 +143,7 @@ std::optional<ExactFunction> partial_fractions(const FactorPointer& left,
            ExactFunction(coefficients->v) * ExactFunction(left);
 }
 
-/// The product of two factors where it is more than their product, so to say.
+/// Returns the product of two factors where it has a simpler form than Product.
 std::optional<ExactFunction> combined(const FactorPointer& left, const FactorPointer& right) {
     if (left->what.index() == right->what.index()) {
         if (const auto* a = std::get_if<LinearPower>(&left->what)) {
@@ -205,8 +206,8 @@ std::vector<ExactTerm> normal_terms(const ExactTerm& term) {
     }
     const auto* call = std::get_if<Call>(&term.factor->what);
     if (call != nullptr && call->name == "exp" && !term.rate.is_zero()) {
-        // exp(rate tau) exp(g) = exp(rate tau + g): one exponential, since of two one may be huge
-        // where the other is tiny.
+        // exp(rate tau) exp(g) = exp(rate tau + g) becomes one exponential, since one of two may be
+        // huge where the other is tiny.
         const ExactFunction exponent =
             ExactFunction(NumberPolynomial{Number(0), term.rate}) + call->argument;
         ExactTerm result = with(term, Number(1), term.power, make_factor(Call{"exp", exponent}));
@@ -224,7 +225,7 @@ ExactFunction product_of_factors(const FactorPointer& left, const FactorPointer&
         for (std::size_t i = 0; i < known.size(); ++i) {
             const auto together = combined(known[i], more[next]);
             if (!together) continue;
-            // What was put together may go on with the others.
+            // The combined factor may combine with the others, too.
             known.erase(known.begin() + static_cast<long>(i));
             ExactFunction product = *together;
             for (const FactorPointer& factor : known) product = product * ExactFunction(factor);
@@ -238,7 +239,8 @@ ExactFunction product_of_factors(const FactorPointer& left, const FactorPointer&
 
 namespace {
 
-/// Whether a function is written with the opposite sign: by its leading term, if that is exact.
+/// Returns whether a function is written with the opposite sign: by its leading term, if that is
+/// exact.
 bool is_negative(const ExactFunction& function) {
     const auto& terms = function.terms();
     const auto leading = std::max_element(
@@ -291,8 +293,8 @@ ExactFunction partial_fraction(const NumberPolynomial& polynomial, unsigned orde
 
 namespace {
 
-/// The number, or its enclosures alone where functions other than square roots are in it: what a
-/// function of such a number is in the field takes long to compute with, and nobody reads it.
+/// Returns the number, or its enclosures alone where it has functions other than square roots: a
+/// function of such a number takes long to compute with in the field, and nobody reads it.
 Number without_nesting(const Number& argument) {
     const auto form = argument.has_parameters() ? std::nullopt : argument.closed_form();
     if (!form) return argument;

@@ -33,7 +33,7 @@ Complex reciprocal(const Complex& z) {
     return {z.real / square, -z.imaginary / square};
 }
 
-/// exp(z t) for real t.
+/// Returns exp(z t) for real t.
 Complex complex_exponential(const Complex& z, const Number& t, const Ground& ground) {
     const Number size = z.real.is_zero() ? Number(1) : ground.exp(z.real * t);
     if (z.imaginary.is_zero()) return {size, Number(0)};
@@ -45,7 +45,8 @@ Number component(const Complex& value, Wave wave) {
     return wave == Wave::sin ? value.imaginary : value.real;
 }
 
-/// The integral of t^k exp(z t) over [0, end]: I_k = (end^k exp(z end) - k I_{k-1})/z for z != 0.
+/// Returns the integral of t^k exp(z t) over [0, end]: I_k = (end^k exp(z end) - k I_{k-1})/z for z
+/// != 0.
 Complex moment(unsigned k, const Complex& z, const Number& end, const Ground& ground) {
     if (z.real.is_zero() && z.imaginary.is_zero()) {
         return {power(end, k + 1) / Number(static_cast<long>(k) + 1), Number(0)};
@@ -63,7 +64,7 @@ Complex moment(unsigned k, const Complex& z, const Number& end, const Ground& gr
     return result;
 }
 
-/// The integral over [from, to] of a term without its step, where a formula is known.
+/// Returns the integral over [from, to] of a term without its step, where a formula is known.
 std::optional<Number> closed_integral(const ExactTerm& term, const Number& from, const Number& to,
                                       const Ground& ground) {
     if (term.factor == nullptr) {
@@ -79,7 +80,7 @@ std::optional<Number> closed_integral(const ExactTerm& term, const Number& from,
     return value ? std::optional(term.coefficient * *value) : std::nullopt;
 }
 
-/// Whether tau = point has reached the step.
+/// Returns whether tau = point has reached the step.
 bool reaches(const Number& point, const Number& step) {
     if (point.has_parameters()) {
         throw InputError("a piecewise function at a node with a free parameter is not built yet",
@@ -89,13 +90,13 @@ bool reaches(const Number& point, const Number& step) {
     return distance.is_zero() || distance.sign() > 0;
 }
 
-/// The later of two steps.
+/// Returns the later of two steps.
 std::optional<Number> later(const std::optional<Number>& left, const std::optional<Number>& right) {
     if (!left || !right) return left ? left : right;
     return (*left - *right).sign() < 0 ? right : left;
 }
 
-/// The product of two terms without their factors: one or two terms.
+/// Returns the product of two terms without their factors: one or two terms.
 std::vector<ExactTerm> product_of_waves(const ExactTerm& a, const ExactTerm& b) {
     ExactTerm term{a.coefficient * b.coefficient, a.power + b.power, a.rate + b.rate};
     term.step = later(a.step, b.step);
@@ -313,7 +314,7 @@ Number ExactFunction::integral(const Number& end, const Ground& ground) const {
         terms_.begin(), terms_.end(), [](const ExactTerm& term) { return term.factor != nullptr; });
     if (has_factors && is_odd_about_middle(*this, end, ground)) return Number(0);
     Number sum;
-    ExactFunction open;  // the terms without a formula, which are integrated together
+    ExactFunction open;  // terms without a formula, which are integrated together
     for (const ExactTerm& term : terms_) {
         if (term.step && !reaches(end, *term.step)) continue;
         const Number from = term.step.value_or(Number(0));

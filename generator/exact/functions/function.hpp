@@ -14,7 +14,8 @@ namespace hvi::gen {
 struct Factor;  ///< in factor.hpp
 using FactorPointer = std::shared_ptr<const Factor>;
 
-/// coefficient * tau^power * exp(rate tau) * wave(frequency tau) * factor(tau), from `step` on.
+/// A term coefficient * tau^power * exp(rate tau) * wave(frequency tau) * factor(tau), from `step`
+/// on.
 struct ExactTerm {
     enum class Wave { none, cos, sin };
 
@@ -26,7 +27,7 @@ struct ExactTerm {
     std::optional<Number> step = {};  ///< a rational: the term is 0 for smaller tau
     FactorPointer factor = {};        ///< null for 1
 
-    /// Whether it is coefficient * tau^power.
+    /// Returns whether it is coefficient * tau^power.
     [[nodiscard]] bool is_monomial() const;
 };
 
@@ -45,7 +46,7 @@ public:
     [[nodiscard]] static ExactFunction exponential(const Number& rate);
     [[nodiscard]] static ExactFunction cosine(const Number& frequency);
     [[nodiscard]] static ExactFunction sine(const Number& frequency);
-    /// 0 before a rational, 1 from there on.
+    /// Returns the function that is 0 before a rational, and 1 from there on.
     [[nodiscard]] static ExactFunction step(const Number& from);
 
     friend ExactFunction operator+(const ExactFunction& left, const ExactFunction& right);
@@ -55,20 +56,20 @@ public:
     [[nodiscard]] bool is_polynomial() const;
     [[nodiscard]] bool has_steps() const;
     [[nodiscard]] bool has_parameters() const;
-    [[nodiscard]] std::optional<Number> constant() const;  ///< its value, when it is constant
+    [[nodiscard]] std::optional<Number> constant() const;  ///< value, when it is constant
 
-    /// The coefficients of a polynomial, lowest first, without zeros at the end. Precondition:
-    /// is_polynomial().
+    /// Returns the coefficients of a polynomial, lowest first, without zeros at the end.
+    /// Precondition: is_polynomial().
     [[nodiscard]] std::vector<Number> coefficients() const;
 
-    /// The function without steps that it is at a point and to the right of it.
+    /// Returns the function without steps that equals this one at a point and to the right of it.
     [[nodiscard]] ExactFunction piece_at(const Number& point) const;
 
-    /// The value at tau = point. Throws MathError where it is infinite.
+    /// Returns the value at tau = point. Throws MathError where it is infinite.
     [[nodiscard]] Number at(const Number& point, const Ground& ground) const;
 
-    /// The integral over [0, end]: exact where a closed form is known, else enclosed. Throws
-    /// MathError where no enclosure is found.
+    /// Returns the integral over [0, end]: exact where a closed form is known, else enclosed.
+    /// Throws MathError where no enclosure is found.
     [[nodiscard]] Number integral(const Number& end, const Ground& ground) const;
 
 private:
@@ -78,10 +79,10 @@ private:
     std::vector<ExactTerm> terms_;
 };
 
-/// Whether two terms are multiples of each other.
+/// Returns whether two terms are multiples of each other.
 [[nodiscard]] bool same_shape(const ExactTerm& left, const ExactTerm& right);
 
-/// Whether two functions are known to be the same.
+/// Returns whether two functions are known to be the same.
 [[nodiscard]] bool known_same(const ExactFunction& left, const ExactFunction& right);
 
 }  // namespace hvi::gen

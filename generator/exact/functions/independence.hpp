@@ -8,8 +8,8 @@
 
 namespace hvi::gen {
 
-/// Whether the matrix of the values of n functions at n points of (0, 1) is regular, which proves
-/// them independent; false says nothing.
+/// Returns whether the matrix of the values of n functions at n points of (0, 1) is regular, which
+/// proves them independent; false says nothing.
 [[nodiscard]] bool proved_independent(const std::vector<ExactFunction>& functions);
 
 }  // namespace hvi::gen

@@ -13,16 +13,16 @@ namespace hvi::gen {
 
 namespace {
 
-/// More than 1200 digits: a decision that needs more, such as whether two integrals are equal, is
-/// not to be had in this way, and each doubling takes several times longer.
+/// Limit of precision, more than 1200 digits. A decision that needs more, such as whether two
+/// integrals are equal, cannot be made in this way, and each doubling takes several times longer.
 constexpr Precision most_bits = 4096;
 
-/// Where a quadrature gives up, in evaluations: a smooth integrand takes some ten for each bit, a
-/// root at an end bits^2/2, and one with a pole on the way any number.
+/// Limit of evaluations of a quadrature: a smooth integrand takes some ten for each bit, a root at
+/// an end bits^2/2, and one with a pole on the way any number.
 constexpr slong most_evaluations(Precision bits) { return bits * bits + 10000; }
 
-/// NOTE: it is called from C, through which nothing is thrown: an interruption makes values that
-/// are had for nothing.
+/// Evaluates the integrand. NOTE: it is called from C, through which nothing is thrown: after an
+/// interruption it returns values that cost nothing.
 int evaluate(acb_ptr result, const acb_t point, void* function, slong order, slong /*bits*/) {
     if (is_interrupted()) {
         acb_indeterminate(result);
@@ -55,7 +55,7 @@ Ball enclose(BallFunction function, const Ball& from, const Ball& to, Precision 
     return result;
 }
 
-/// Whether at least half of the bits asked for are known: all but some for round-off, when the
+/// Returns whether at least half of the wanted bits are known: all but some for round-off, when the
 /// quadrature converges.
 bool is_sharp(const Ball& ball, Precision bits) {
     mag_t bound;
@@ -74,9 +74,9 @@ struct Integral {
     Number from, to;
 };
 
-/// For an integrand with L^(p/n), p > -n, that may begin or end at the zero of the line
-/// L = offset + sign tau: with v = L^(1/n) it is analytic there, tau = sign (v^n - offset),
-/// L^(p/n) dtau = sign n v^(p + n - 1) dv.
+/// Substitutes v = L^(1/n) in an integrand with L^(p/n), p > -n, that may begin or end at the zero
+/// of the line L = offset + sign tau. It is analytic there in v: tau = sign (v^n - offset), L^(p/n)
+/// dtau = sign n v^(p + n - 1) dv.
 Integral substituted(const ExactTerm& term, const LinearPower& factor, const Number& from,
                      const Number& to, const Ground& ground) {
     const long n = factor.exponent.below;

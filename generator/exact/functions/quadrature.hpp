@@ -6,16 +6,16 @@
 
 namespace hvi::gen {
 
-/// The integral over [from, to] of a function without steps, as a number that is known by its
-/// enclosures. Throws MathError where no enclosure is found, now or when more digits are asked for
-/// than can be had in reasonable time.
+/// Returns the integral over [from, to] of a function without steps, as a number that is known by
+/// its enclosures. Throws MathError where no enclosure is found, now or when later more digits are
+/// asked for than can be had in reasonable time.
 ///
 /// F. Johansson, "Numerical integration in arbitrary-precision ball arithmetic", ICMS 2018.
 [[nodiscard]] Number quadrature(const ExactFunction& function, const Number& from, const Number& to,
                                 const Ground& ground);
 
-/// Whether a term has a root of a line, which may be zero at an end: alone it is integrated with a
-/// substitution that makes it analytic there.
+/// Returns whether a term has a root of a line, which may be zero at an end. A substitution makes
+/// such a term analytic there, so that it is integrated alone.
 [[nodiscard]] bool wants_substitution(const ExactTerm& term);
 
 }  // namespace hvi::gen

@@ -10,7 +10,7 @@ namespace {
 
 using Wave = ExactTerm::Wave;
 
-/// tau -> end - tau.
+/// Reflection tau -> end - tau.
 class Mirror {
 public:
     Mirror(const Number& end, const Ground& ground)
@@ -79,8 +79,8 @@ private:
     ExactFunction line_;
 };
 
-/// Whether values at two points that mirror each other tell that it is not odd: for most functions
-/// that is enough.
+/// Returns whether values at two points that mirror each other show that a function is not odd: for
+/// most functions that is enough.
 bool is_seen_not_odd(const ExactFunction& function, const Number& end) {
     const BallFunction values = compile(function, first_precision);
     const Number point = end / Number(7);

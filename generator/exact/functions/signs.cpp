@@ -13,23 +13,23 @@ namespace hvi::gen {
 
 namespace {
 
-/// Bounds on intervals need few bits, signs at points more.
+/// Precisions: bounds on intervals need few bits, signs at points more.
 constexpr Precision interval_bits = 128;
 constexpr Precision point_bits = 512;
 
-/// Where the search for zeros gives up: intervals of 2^-40 of the domain, and this many of them.
-/// A double zero takes two intervals for each halving.
+/// Limits of the search for zeros: intervals of 2^-40 of the domain, and this many of them. A
+/// double zero takes two intervals for each halving.
 constexpr int most_halvings = 40;
 constexpr int most_intervals = 20000;
 
-/// A double as a number, exactly.
+/// Returns a double as a number, exactly.
 Number exact_number(double value, const Ground& ground) {
     const int shift = 52;
     const auto above = static_cast<long>(std::ldexp(value, shift));
     return ground.rational(std::to_string(above), "1") / Number(1L << shift);
 }
 
-/// The fraction with the smallest denominator in [left, right].
+/// Returns the fraction with the smallest denominator in [left, right].
 Number simplest_between(double left, double right, const Ground& ground) {
     fmpq_t low, high, middle;
     fmpq_init(low);
@@ -49,8 +49,8 @@ Number simplest_between(double left, double right, const Ground& ground) {
                            bar == std::string::npos ? "1" : fraction.substr(bar + 1));
 }
 
-/// The search for zeros of a function on a domain, in t of [0, 1] with
-/// tau = low + (high - low) t. The ends of intervals are doubles of at most 40 bits: exact.
+/// The search for zeros of a function on a domain, in t of [0, 1] with tau = low + (high - low) t.
+/// The ends of intervals are doubles of at most 40 bits: exact.
 class Search {
 public:
     Search(const ExactFunction& function, const Domain& domain, const Ground& ground)
@@ -92,17 +92,17 @@ private:
         return t;
     }
 
-    /// Whether the value at tau(t) is zero by a proof.
+    /// Returns whether the value at tau(t) is proved to be zero.
     ///
     /// NOTE: bounds come first, since an exact value brings new generators into the field.
     [[nodiscard]] bool is_zero_at(const Number& t) const {
         if (real_values(at_points_, enclosure(tau(t), point_bits)).sign() != 0) return false;
         try {
             return function_.at(tau(t), ground_).known_zero() == true;
-        } catch (const Error&) { return false; }  // it has no value there
+        } catch (const Error&) { return false; }  // the function has no value there
     }
 
-    /// The sign at the point t; 0 when it is zero, empty when it is not known.
+    /// Returns the sign at the point t; 0 when it is zero, empty when it is not known.
     [[nodiscard]] std::optional<int> sign_at(double t) const {
         if (t == 0.0 && result_.zero_at_low) return 0;
         if (t == 1.0 && result_.zero_at_high) return 0;
@@ -111,7 +111,7 @@ private:
         return std::nullopt;
     }
 
-    /// Whether bounds on the values, or on a value and the slope, exclude a zero.
+    /// Returns whether bounds on the values, or on a value and the slope, exclude a zero.
     bool excluded(const Ball& interval, const Ball& middle, Ball& slope) const {
         const Jet jet = on_intervals_({ComplexBall(interval), one(), true}, false);
         Ball value;
@@ -149,7 +149,7 @@ private:
         visit(middle, right, halvings + 1);
     }
 
-    /// Of a monotonic function the signs at the ends of an interval tell all.
+    /// Decides a monotonic function by the signs at the ends of an interval.
     bool decided_by_ends(double left, double right) {
         const auto a = sign_at(left);
         const auto b = sign_at(right);
@@ -165,7 +165,7 @@ private:
         return true;
     }
 
-    /// The place of a change of sign.
+    /// Returns the place of a change of sign.
     std::string crossing(double left, double right, int sign_left) {
         while (right - left > std::ldexp(1.0, -most_halvings)) {
             const double middle = (left + right) / 2;
@@ -183,8 +183,8 @@ private:
         return "near tau = " + tau(exact_number((left + right) / 2, ground_)).decimal(4);
     }
 
-    /// A double zero is found when its place is a simple fraction of the domain; a zero at an end
-    /// may be of any order.
+    /// Gives up on an interval. A double zero is found when its place is a simple fraction of the
+    /// domain; a zero at an end may be of any order.
     void give_up(double left, double right) {
         const Number simple = simplest_between(left, right, ground_);
         const bool inner = simple.sign() > 0 && (Number(1) - simple).sign() > 0;
@@ -206,7 +206,7 @@ private:
     int intervals_ = 0;
 };
 
-/// The real roots of a part of a factorization.
+/// Returns the real roots of a part of a factorization.
 NumberVector roots_of(const NumberPolynomial& part, const Ground& ground) {
     if (part.size() == 2) return {-part[0]};
     if (part.size() == 3) return {};
@@ -253,7 +253,7 @@ Signs signs(const ExactFunction& function, const Domain& domain, const Ground& g
 
 std::optional<std::string> negative_place(const ExactFunction& function, const Domain& domain) {
     const BallFunction values = compile(function, point_bits);
-    // The ends, the middle, the quarters, ...
+    // the ends, the middle, the quarters, ...
     for (long parts = 1; parts <= 64; parts *= 2) {
         for (long i = 0; i <= parts; ++i) {
             if (parts > 1 && i % 2 == 0) continue;

@@ -1,4 +1,4 @@
-// Where a function is positive, negative and zero: proved, or not claimed.
+// Signs and zeros of functions: proved, or not claimed.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -7,8 +7,8 @@
 
 namespace hvi::gen {
 
-/// What is known of the signs of a function on a domain. When there is no inner zero and nothing is
-/// undecided, it has the sign of its middle value everywhere but at the ends that are zeros.
+/// Known signs of a function on a domain. When there is no inner zero and nothing is undecided, the
+/// function has the sign of its middle value everywhere, except at ends that are zeros.
 struct Signs {
     bool zero_at_low = false;
     bool zero_at_high = false;
@@ -17,16 +17,16 @@ struct Signs {
     std::optional<std::string>
         undecided;  ///< a place at which a zero is neither found nor excluded
 
-    /// The place of a zero, be it at an end.
+    /// Returns the place of a zero, also of one at an end.
     [[nodiscard]] std::optional<std::string> zero(const Domain& domain) const;
 };
 
-/// Polynomials by their factors, all others by bounds on smaller and smaller intervals, up to a
-/// limit. Preconditions: not constant, no free parameter, no step.
+/// Finds the signs: of polynomials by their factors, of all others by bounds on smaller and smaller
+/// intervals, up to a limit. Preconditions: not constant, no free parameter, no step.
 [[nodiscard]] Signs signs(const ExactFunction& function, const Domain& domain,
                           const Ground& ground);
 
-/// A place where the function is negative, out of some tried ones.
+/// Returns a place where the function is negative, out of some tried ones.
 [[nodiscard]] std::optional<std::string> negative_place(const ExactFunction& function,
                                                         const Domain& domain);
 

@@ -31,8 +31,8 @@ struct Rule {
     Balls nodes, weights;
 };
 
-/// Lagrange's polynomial l_j in its factors, for as narrow an enclosure as possible: by its
-/// coefficients digits would cancel.
+/// Returns Lagrange's polynomial l_j, computed from its factors for as narrow an enclosure as
+/// possible: with its coefficients digits would cancel.
 Ball lagrange(const Balls& c, std::size_t j, const Ball& at, Precision bits) {
     Ball result, factor, distance;
     arb_one(result.get());
@@ -46,7 +46,7 @@ Ball lagrange(const Balls& c, std::size_t j, const Ball& at, Precision bits) {
     return result;
 }
 
-/// The integral of l_j over [0, end].
+/// Returns the integral of l_j over [0, end].
 Number integral(const Balls& c, std::size_t j, const Ball& end, const Rule& rule, Precision bits) {
     Ball sum;
     for (std::size_t k = 0; k < rule.nodes.size(); ++k) {

@@ -1,4 +1,4 @@
-// Collocation at nodes of which only some digits are known.
+// Collocation at nodes that are known to some digits only.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -8,14 +8,14 @@
 
 namespace hvi::gen {
 
-/// b_j, a_ij and a~_ij of collocation, the integrals of Lagrange's polynomials over [0,1] and
-/// [0, c_i] and b_j - b_j a_ji/b_i, enclosed by one ball each: for all nodes that c can be.
+/// Returns b_j, a_ij and a~_ij of collocation: the integrals of Lagrange's polynomials over [0,1]
+/// and [0, c_i], and b_j - b_j a_ji/b_i. Each is enclosed by one ball, for all nodes that c can be.
 /// Empty where two nodes may be equal or a weight zero.
 [[nodiscard]] std::optional<PartitionedMethod> enclosed_collocation(const NumberVector& c,
                                                                     Precision bits);
 
-/// The partner a~_ij = b_j - b_j a_ji/b_i of any coefficients, so that the pair is symplectic; as
-/// exact as they are. Empty where a weight may be zero.
+/// Returns the partner a~_ij = b_j - b_j a_ji/b_i of any coefficients, so that the pair is
+/// symplectic; as exact as they are. Empty where a weight may be zero.
 [[nodiscard]] std::optional<NumberMatrix> symplectic_partner(const NumberVector& b,
                                                              const NumberMatrix& A, Precision bits);
 

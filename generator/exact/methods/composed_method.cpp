@@ -24,8 +24,8 @@ bool is_method(const std::shared_ptr<const Source>& name) {
     } catch (const Error&) { return false; }
 }
 
-/// Where the name of a composition begins, behind a dash; at the end where there is none. What
-/// stands behind the name of a method is meant for one.
+/// Returns where the name of a composition begins, behind a dash; the end where there is none. Any
+/// text behind the name of a method is taken for a composition.
 std::size_t begin_of_composition(const Source& source) {
     const std::string& text = source.text;
     for (const std::string_view name : composition_names()) {
@@ -39,9 +39,9 @@ std::size_t begin_of_composition(const Source& source) {
     return text.size();
 }
 
-/// Those of the adjoint: a step of size -h, solved for where it begins. Its tableau has b_s+1-i and
-/// b_s+1-j - a_s+1-i,s+1-j (Hairer, Lubich & Wanner, Geometric Numerical Integration, Theorem
-/// V.1.5).
+/// Returns the stages of the adjoint, a step of size -h solved for its start. Its tableau has
+/// b_s+1-i and b_s+1-j - a_s+1-i,s+1-j (Hairer, Lubich & Wanner, Geometric Numerical Integration,
+/// Theorem V.1.5).
 WeightedStages adjoint(const WeightedStages& stages) {
     const std::size_t s = stages.b.size();
     WeightedStages result{NumberMatrix(s), {stages.b.rbegin(), stages.b.rend()}};
@@ -89,7 +89,7 @@ WeightedStages weighted_stages(const ButcherPair& pair) {
     return stages;
 }
 
-// The stages of each step have the slopes of all steps before it behind them, weighted gamma_k b.
+// The stages of each step follow the slopes of all earlier steps, weighted gamma_k b.
 WeightedStages composed(const WeightedStages& method, const Composition& composition) {
     const WeightedStages partner = composition.with_adjoint ? adjoint(method) : method;
     const std::size_t s = method.b.size(), k = composition.steps.size();
@@ -107,7 +107,7 @@ WeightedStages composed(const WeightedStages& method, const Composition& composi
     return result;
 }
 
-// a_ij = b_j m_ij and a~_ij = b_j (1 - m_ji).
+// a_ij = b_j m_ij and a~_ij = b_j (1 - m_ji)
 PartitionedMethod partitioned_method(const WeightedStages& stages) {
     const auto& [m, b] = stages;
     PartitionedMethod result{b, b, m, m};

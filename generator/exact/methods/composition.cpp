@@ -11,17 +11,17 @@ namespace hvi::gen {
 
 namespace {
 
-/// In a step. NOTE: the time to plan them grows like their cube, the header like their square: with
-/// 136 they take a second and a megabyte and a half.
+/// Limit of the stages in a step. NOTE: the time to plan them grows like their cube, the header
+/// like their square: 136 stages take a second and a megabyte and a half.
 constexpr std::size_t most_stages = 150;
 
 struct Entry {
     std::string_view name;
     int order;
     bool with_adjoint;
-    bool has_middle;  ///< the number of steps is odd
-    /// Half of the steps, without the one in the middle; of an even number without the last before
-    /// the mirror.
+    bool has_middle;  ///< whether the number of steps is odd
+    /// Half of the steps, without the one in the middle. For an even number of steps it is without
+    /// the last one before the mirror.
     std::vector<std::string_view> first;
 };
 
@@ -59,7 +59,7 @@ const std::vector<Entry>& entries() {
          true,
          {"0.4144907717943757371423540628607614957117746040167071333",
           "0.4144907717943757371423540628607614957117746040167071333"}},
-        // Of the splitting S of 10 stages in Blanes & Moan, J. Comput. Appl. Math. 142 (2002) 313:
+        // The splitting S of 10 stages in Blanes & Moan, J. Comput. Appl. Math. 142 (2002) 313:
         // with a_1 A, b_1 B, a_2 A, ... it is gamma_1 = a_1, gamma_2k = b_k - gamma_2k-1 and
         // gamma_2k+1 = a_k+1 - gamma_2k.
         {"blanes-moan:6",
@@ -75,7 +75,7 @@ const std::vector<Entry>& entries() {
           "0.2370639139781216066317404622123627628529107614191697048",
           "0.1956024886000519908959275086711825352052731799951342841",
           "0.3463581898507281439354872322618899611428995833406556917"}},
-        // Of 17 stages; Kahan & Li, Math. Comp. 66 (1997) 1089.
+        // 17 stages; Kahan & Li, Math. Comp. 66 (1997) 1089.
         {"kahan-li:8",
          8,
          false,
@@ -91,7 +91,7 @@ const std::vector<Entry>& entries() {
     return all;
 }
 
-/// What the digits mean, exactly. Precondition: as `-1.25`.
+/// Returns the exact value of a decimal. Precondition: as `-1.25`.
 Number decimal(std::string_view text) {
     const bool is_negative = text.front() == '-';
     Number digits(0), unit(1);
@@ -107,7 +107,7 @@ Number decimal(std::string_view text) {
     return (is_negative ? -digits : digits) / unit;
 }
 
-/// The steps that are not written down make of the sum 1, exactly.
+/// Returns all steps. Those that are not written down make the sum 1, exactly.
 NumberVector steps(const Entry& entry) {
     NumberVector half;
     Number sum(0);

@@ -18,24 +18,25 @@ namespace hvi::gen {
 /// 1 (Hairer, Lubich & Wanner, Geometric Numerical Integration, Sections II.4 and V.3).
 struct Composition {
     std::string name;  ///< `yoshida:6`
-    int order;         ///< of what it makes of a method of lower order
-    /// Every second step is one of the adjoint; then the method need not be its own.
+    int order;         ///< order of the composition for a method of lower order
+    /// Whether every second step is one of the adjoint. Then the method need not be its own
+    /// adjoint.
     bool with_adjoint;
     NumberVector steps;  ///< gamma_1, ..., gamma_k: decimals of 50 digits and more
-    Place place;         ///< where it is named, for errors
+    Place place;         ///< place of the name, for errors
 };
 
 [[nodiscard]] std::vector<std::string_view> composition_names();
 
-/// `stormer-verlet-yoshida:6`; for a method without a name that of the composition.
+/// Returns `stormer-verlet-yoshida:6`; for a method without a name the name of the composition.
 [[nodiscard]] std::string composed_name(const std::string& method,
                                         const std::optional<Composition>& composition);
 
 /// Throws MathError where the method would have to be its own adjoint, and InputError where it has
-/// a free parameter, or too many stages to plan so many steps as one.
+/// a free parameter, or too many stages to plan all steps as one.
 void check_composition(const Composition& composition, const DerivedMethod& method);
 
-/// Throws InputError, with what may have been meant.
+/// Returns a composition by its name. Throws InputError, with a name that may have been meant.
 [[nodiscard]] Composition named_composition(const std::shared_ptr<const Source>& name);
 
 }  // namespace hvi::gen

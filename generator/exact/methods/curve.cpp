@@ -18,7 +18,7 @@ namespace {
 
 Number whole_number(std::size_t n) { return {static_cast<long>(n)}; }
 
-/// The integral of polynomial * tau^power over [0,1].
+/// Returns the integral of polynomial * tau^power over [0,1].
 Number moment(const NumberPolynomial& polynomial, std::size_t power) {
     Number sum;
     for (std::size_t i = 0; i < polynomial.size(); ++i) {
@@ -29,7 +29,7 @@ Number moment(const NumberPolynomial& polynomial, std::size_t power) {
 
 // ---- polynomials ----
 
-/// The integrals of psi_i(tau) P_k(2 tau - 1), for k > 0 up to the highest degree.
+/// Returns the integrals of psi_i(tau) P_k(2 tau - 1), for k > 0 up to the highest degree.
 NumberMatrix in_legendre_polynomials(const std::vector<BasisFunction>& psi, const Ground& ground) {
     std::vector<NumberPolynomial> polynomials;
     std::size_t size = 0;
@@ -48,7 +48,7 @@ NumberMatrix in_legendre_polynomials(const std::vector<BasisFunction>& psi, cons
     return rows;
 }
 
-/// (tau - c_1) ... (tau - c_r), over Q where that is known.
+/// Returns (tau - c_1) ... (tau - c_r), over Q where that is known.
 NumberPolynomial node_polynomial(const Nodes& nodes, const Ground& ground) {
     if (nodes.polynomial) { return with_numbers(*nodes.polynomial, ground); }
     NumberPolynomial P{Number(1)};
@@ -56,8 +56,8 @@ NumberPolynomial node_polynomial(const Nodes& nodes, const Ground& ground) {
     return P;
 }
 
-/// By how many degrees more than r - 1 the interpolatory rule of r nodes is proved to be exact, at
-/// most r.
+/// Returns how many degrees more than r - 1 the interpolatory rule of r nodes is proved to be exact
+/// for, at most r.
 std::size_t degrees_beyond_interpolation(const Nodes& nodes, const Ground& ground) {
     const NumberPolynomial P = node_polynomial(nodes, ground);
     std::size_t degrees = 0;
@@ -67,7 +67,8 @@ std::size_t degrees_beyond_interpolation(const Nodes& nodes, const Ground& groun
     return degrees;
 }
 
-/// The degrees 0, 1, ... for which a rule of other weights is proved to be exact, at most 2r.
+/// Returns how many degrees 0, 1, ... a rule of other weights is proved to be exact for, at most
+/// 2r.
 std::size_t exact_degrees(const GalerkinRule& rule) {
     NumberVector powers = rule.b;  // b_i c_i^k
     for (std::size_t k = 0; k < 2 * rule.nodes(); ++k) {
@@ -83,7 +84,7 @@ std::size_t exact_degrees(const GalerkinRule& rule) {
 
 // ---- other functions ----
 
-/// A term without its coefficient has the integral factor * A(tau) over [0, tau].
+/// The integral factor * A(tau) over [0, tau] of a term without its coefficient.
 struct Integral {
     Number factor;
     Antiderivative A;
@@ -108,7 +109,7 @@ Integral integral(const ExactTerm& term, const BasisFunction& psi) {
     return {Number(1) / whole_number(power), {Kind::power, power, Number(0)}};
 }
 
-/// The coefficients of the psi_i in the A_k. Constants have none: their curve is the chord.
+/// Coefficients of the psi_i in the A_k. Constants have none: their curve is the chord.
 struct InTerms {
     NumberMatrix rows;
     std::vector<Antiderivative> A;
@@ -137,11 +138,11 @@ InTerms in_terms(const std::vector<BasisFunction>& psi) {
     return result;
 }
 
-/// What the antiderivatives of the basis depart by from their chords.
+/// Departures of the antiderivatives of the basis from their chords.
 struct Departures {
     NumberMatrix R;  ///< functions psi_k x functions g_l
     std::vector<Antiderivative> A;
-    bool spans_polynomials = false;  ///< of degree less than s
+    bool spans_polynomials = false;  ///< whether it spans the polynomials of degree less than s
 };
 
 Departures departures(const std::vector<BasisFunction>& psi, const Ground& ground) {

@@ -26,35 +26,36 @@ struct Antiderivative {
     Number rate = 0;
 };
 
-/// The Galerkin curve of Section 4.1, in the functions phi = M^-1 psi with phi_j(c_i) = delta_ij,
+/// The Galerkin curve of Section 4.1, in the functions phi = M^-1 psi with phi_j(c_i) = delta_ij:
 ///
 ///     q_d(tau h) = q_0 + h sum_j integral_0^tau phi_j * dH/dp(Q_j, P_j),
 ///     integral_0^tau phi_j = b_j tau + sum_k F_jk g_k(tau).
 ///
-/// All g_k vanish at both ends: they are what the curve departs by from its chord. For polynomials
-/// they are g_k(tau) = (P_{k+1} - P_{k-1})(2 tau - 1)/2 = (2k + 1) integral_0^tau P_k(2 rho - 1)
-/// drho, k = 1, 2, ..., of Legendre's P_k, and F_jk is the integral of phi_j(tau) P_k(2 tau - 1)
-/// over [0,1]. Else g_k(tau) = A_k(tau) - tau A_k(1).
+/// All g_k vanish at both ends: with them the curve departs from its chord. For polynomials they
+/// are g_k(tau) = (P_{k+1} - P_{k-1})(2 tau - 1)/2 = (2k + 1) integral_0^tau P_k(2 rho - 1) drho, k
+/// = 1, 2, ..., with Legendre's P_k, and F_jk is the integral of phi_j(tau) P_k(2 tau - 1) over
+/// [0,1]. Otherwise g_k(tau) = A_k(tau) - tau A_k(1).
 ///
-/// With more nodes than functions and H = p^T K p/2 + U(q) the curve (4.2) is, with the letters of
+/// The curve (4.2) with more nodes than functions and H = p^T K p/2 + U(q) is, with the letters of
 /// GalerkinRule and A(tau) for the integrals of the psi_k over [0, tau],
 ///
 ///     q_d(tau h) = q_0 + tau h v + sum_j (tau - A(tau) G^-1 A_j^T) W_j,
 ///
-/// as n_ij is for tau = c_i. It departs from the chord by sum_jk F_jk g_k(tau) W_j, where A_k(tau)
-/// = B_k tau + sum_l R_kl g_l(tau) and F = -A_psi G^-1 R. For any H it departs by the velocities
-/// U_i at the nodes, as these make V = G^-1 Psi diag(b) U: with F = diag(b) Psi^T G^-1 R.
+/// The factor of W_j is n_ij with tau in place of c_i. The curve departs from the chord by sum_jk
+/// F_jk g_k(tau) W_j, where A_k(tau) = B_k tau + sum_l R_kl g_l(tau) and F = -A_psi G^-1 R. For any
+/// H it departs by the velocities U_i at the nodes, as these make V = G^-1 Psi diag(b) U: with F =
+/// diag(b) Psi^T G^-1 R.
 struct Curve {
     NumberMatrix F;  ///< velocities at nodes that have a weight x functions; without columns for a
                      ///< straight line
-    std::optional<NumberMatrix> of_forces;  ///< of all W_j x functions, with more nodes
+    std::optional<NumberMatrix> of_forces;  ///< all W_j x functions, with more nodes
     std::vector<Antiderivative> A;          ///< empty for polynomials
-    std::size_t order;  ///< the error is O(h^(order+1)) in one step, for all tau
+    std::size_t order;  ///< its error is O(h^(order+1)) in one step, for all tau
 };
 
-/// The curve of `derivation`, that of `method`. Throws InputError for a method with a free
-/// parameter, and for a basis with other functions than sums of tau^k, exp(a tau), cos(b tau) and
-/// sin(b tau), all of which are to come.
+/// Returns the curve of `derivation`, which derives `method`. Throws InputError for a method with a
+/// free parameter, and for a basis with other functions than sums of tau^k, exp(a tau), cos(b tau)
+/// and sin(b tau), all of which are to come.
 ///
 /// The order is min(s, r + 1) where the basis spans the polynomials of degree less than s and the
 /// rule is exact for r degrees more than s - 1. With as many nodes as functions sum_j a~_ij
@@ -64,16 +65,16 @@ struct Curve {
 ///
 ///     integral psi_j p = p_0 B_j + integral (B_j - A_j(tau)) p'(tau),
 ///
-/// which for a p of degree k it satisfies where it is exact for degree s - 1 + k: so q_d' is right
-/// up to O(h^min(s, r+1)) again. For other bases the order is 1: the span has the constants.
+/// For a p of degree k the rule is satisfied where it is exact for degree s - 1 + k: so q_d' is
+/// right up to O(h^min(s, r+1)) again. For other bases the order is 1: the span has the constants.
 ///
-/// Momenta are put together in the same functions:
+/// Momenta are combined from the same functions:
 ///
 ///     p(tau h) = p_0 - h sum_j integral_0^tau phi_j * dH/dq(Q_j, P_j),
 ///
-/// and by diag(b) Psi^T G^-1 R with more nodes. As Q_j is on the curve, and P_j as good as said,
-/// the slopes -dH/dq(Q_j, P_j) are those of the exact momenta up to O(h^min(s, r+1)), and so is
-/// what the span makes of them: the order is that of the positions.
+/// The factor with more nodes is diag(b) Psi^T G^-1 R. As Q_j is on the curve, and P_j as good as
+/// stated above, the slopes -dH/dq(Q_j, P_j) are those of the exact momenta up to O(h^min(s, r+1)).
+/// So is their combination in the span: the order is that of the positions.
 [[nodiscard]] Curve curve(const Method& method, const AnyDerivation& derivation);
 
 }  // namespace hvi::gen

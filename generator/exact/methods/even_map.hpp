@@ -8,28 +8,28 @@
 
 namespace hvi::gen {
 
-/// One step takes x = (omega q, p) to 1/D (m11 z*m12; z*m21 m22) x, where z = h omega. Neither in
-/// lowest terms, nor is D(0) = 1.
+/// A map of one step, which takes x = (omega q, p) to 1/D (m11 z*m12; z*m21 m22) x, where z = h
+/// omega. The fractions need not be in lowest terms, and D(0) need not be 1.
 struct EvenMap {
     NumberPolynomial m11, m12, m21, m22, D;
 };
 
-/// Of collocation at the roots of a polynomial over Q, see `node_polynomial`: rational, whatever
-/// the roots are.
+/// Returns the map of collocation at the roots of a polynomial over Q, see `node_polynomial`:
+/// rational, whatever the roots are.
 [[nodiscard]] EvenMap even_map(const RationalPolynomial& P);
 
-/// Of the general Galerkin form, the same.
+/// Returns the map of the general Galerkin form: rational, whatever the nodes are.
 [[nodiscard]] EvenMap even_map(const RationalRule& rule);
 
-/// Of Algorithm 4.3 with exact coefficients and the weights b. NOTE: by sums over products of the
-/// basis functions and of their integrals, which are short: the tableau's coefficients, and powers
-/// of A~ A more so, have many more terms. Takes s 2^s products.
+/// Returns the map of Algorithm 4.3 with exact coefficients and the weights b. NOTE: computed by
+/// sums over products of the basis functions and of their integrals, which are short: the tableau's
+/// coefficients, and powers of A~ A more so, have many more terms. Takes s 2^s products.
 [[nodiscard]] EvenMap even_map_in_basis(const Galerkin& galerkin, const NumberVector& b);
-/// How many terms these sums have.
+/// Returns how many terms these sums have.
 [[nodiscard]] std::size_t term_count_in_basis(const Galerkin& galerkin, const NumberVector& b);
 
-/// Of any coefficients. Where products of exact ones would take minutes they are enclosed, and
-/// `arithmetic` is asked which of the results are zero.
+/// Returns the map of any coefficients. Where products of exact ones would take minutes they are
+/// enclosed, and `arithmetic` decides which of the results are zero.
 [[nodiscard]] EvenMap even_map(const PartitionedMethod& method, PolynomialArithmetic& arithmetic);
 
 }  // namespace hvi::gen

@@ -22,7 +22,7 @@ struct Functions {
     RationalMatrix g, from_zero, to_one;
 
 private:
-    /// Place for the integrals.
+    /// Returns the width of rows with room for the integrals.
     static std::size_t width_of(const std::vector<RationalPolynomial>& functions) {
         long degree = 0;
         for (const RationalPolynomial& function : functions) {
@@ -41,8 +41,8 @@ private:
     }
 };
 
-/// The polynomials of lower degree than P. NOTE: for Legendre's polynomials G below is nearly
-/// diagonal and S nearly tridiagonal, with short entries.
+/// Returns the polynomials of lower degree than P. NOTE: for Legendre's polynomials G below is
+/// nearly diagonal and S nearly tridiagonal, with short entries.
 RationalRule all_below(const RationalPolynomial& P) {
     RationalRule rule{P, {}};
     for (long k = 0; k < P.degree(); ++k) {
@@ -53,14 +53,14 @@ RationalRule all_below(const RationalPolynomial& P) {
 
 }  // namespace
 
-/// With V = z P, a function v of the span, omega Q is the values of
-/// q = omega q0 + int_0^tau v, and b_i P_i g(c_i) summed over i gives for every g of the basis
+/// Returns the map. V = z P is given by a function v of the span, omega Q by the values of q =
+/// omega q0 + int_0^tau v, and b_i P_i g(c_i) summed over i gives for every g of the basis
 ///
 ///     b(v g) + z^2 b(int_0^tau v int_tau^1 g) = z p0 b(g) - z^2 omega q0 b(int_tau^1 g).
 ///
-/// With v = sum_k v_k g_k this is (G + t S)^T v = z p0 beta - t omega q0 gamma; then
-/// omega q1 = omega q0 + beta v and p1 = p0 - z omega q0 - z eta v. Every entry is a determinant,
-/// by det(K + u v^T) = det(K) (1 + v K^-1 u).
+/// This is, for v = sum_k v_k g_k, (G + t S)^T v = z p0 beta - t omega q0 gamma; then omega q1 =
+/// omega q0 + beta v and p1 = p0 - z omega q0 - z eta v. Every entry is a determinant, by det(K + u
+/// v^T) = det(K) (1 + v K^-1 u).
 EvenMap even_map(const RationalRule& rule) {
     const std::size_t s = rule.psi.size();
     const Functions basis(rule.psi);

@@ -11,7 +11,7 @@ namespace hvi::gen {
 
 namespace {
 
-/// NumberPolynomials as a ring.
+/// A ring of NumberPolynomials.
 struct PolynomialEntry {
     NumberPolynomial polynomial;
 
@@ -30,8 +30,8 @@ struct PolynomialEntry {
     }
 };
 
-/// What the rule sum_i b_i f(c_i) makes of products of psi_1 .. psi_s and of their integrals
-/// Psi_1 .. Psi_s from 0 on. By Algorithm 4.3 the functions with coordinates x on the psi have
+/// Values of the rule sum_i b_i f(c_i) for products of psi_1 .. psi_s and of their integrals Psi_1
+/// .. Psi_s from 0 on. By Algorithm 4.3 the functions with coordinates x on the psi have
 ///
 ///     b.x = B.x,    <x, y> = x^T G y,    A x = sum_j x_j Psi_j at the nodes,
 ///     <A~ x, y> = (b.x)(b.y) - <x, A y>,
@@ -64,7 +64,7 @@ RuleOfProducts rule_of(const Galerkin& galerkin, const NumberVector& b) {
     return rule;
 }
 
-/// x^T adjugate y
+/// Returns x^T adjugate y.
 NumberPolynomial form(const NumberVector& x, const SquareMatrix<PolynomialEntry>& adjugate,
                       const NumberVector& y) {
     NumberPolynomial result;
@@ -83,7 +83,8 @@ std::size_t term_count_in_basis(const Galerkin& galerkin, const NumberVector& b)
     return term_count(rule.G) + term_count(rule.BmN);
 }
 
-// As by_stages: P = (1 + t A~ A)^-1 (p 1 - z omega q c~), where G 1 = B and G c~ = B - m.
+// The stages are P = (1 + t A~ A)^-1 (p 1 - z omega q c~), as in by_stages, where G 1 = B and G c~
+// = B - m.
 EvenMap even_map_in_basis(const Galerkin& galerkin, const NumberVector& b) {
     const std::size_t s = b.size();
     const RuleOfProducts rule = rule_of(galerkin, b);

@@ -19,7 +19,7 @@ Number dot(const NumberVector& left, const NumberVector& right) {
     return (NumberMatrix{left} * right).front();
 }
 
-/// Whether exact arithmetic with products of the coefficients would take minutes.
+/// Returns whether exact arithmetic with products of the coefficients would take minutes.
 bool are_too_long(const PartitionedMethod& method) {
     constexpr std::size_t most_terms = 2000;
     for (const NumberMatrix* matrix : {&method.A, &method.A_tilde}) {
@@ -32,8 +32,8 @@ bool are_too_long(const PartitionedMethod& method) {
     return term_count(method.A) + term_count(method.A_tilde) > most_terms;
 }
 
-/// The stages are P = (I + t A~ A)^-1 (p 1 - z omega q c~) and omega Q = omega q 1 + z A P, the
-/// step is omega q1 = omega q + z b P, p1 = p - z b~ omega Q.
+/// Returns the map by the stages P = (I + t A~ A)^-1 (p 1 - z omega q c~) and omega Q = omega q 1 +
+/// z A P. The step is omega q1 = omega q + z b P, p1 = p - z b~ omega Q.
 EvenMap by_stages(const PartitionedMethod& method, PolynomialArithmetic& arithmetic) {
     const bool too_long = are_too_long(method);
     const NumberMatrix A = too_long ? without_closed_form(method.A) : method.A;
@@ -61,13 +61,13 @@ EvenMap by_stages(const PartitionedMethod& method, PolynomialArithmetic& arithme
 
 // ---- by determinants ----
 
-/// t P(t)
+/// Returns t P(t).
 RationalPolynomial shifted(const RationalPolynomial& polynomial) {
     return polynomial * RationalPolynomial::variable();
 }
 
-/// As by_stages, with u (I + t B)^-1 v det(I + t B) = det(I + t B + v u^T) - det(I + t B). Empty
-/// where a coefficient is not rational.
+/// Returns the map by the equations of by_stages, with u (I + t B)^-1 v det(I + t B) = det(I + t B
+/// + v u^T) - det(I + t B). Empty where a coefficient is not rational.
 std::optional<EvenMap> by_determinants(const PartitionedMethod& method) {
     const auto A = rational_matrix(method.A);
     const auto A_tilde = rational_matrix(method.A_tilde);

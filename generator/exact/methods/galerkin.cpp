@@ -25,7 +25,7 @@ void check_counts(const Method& method, const Ingredients& given) {
     }
 }
 
-/// M^-1 and b by interpolation, for polynomials over Q at all the roots of one.
+/// Returns M^-1 and b by interpolation, for polynomials over Q at all the roots of one.
 std::optional<Interpolation> interpolation(const Ingredients& given) {
     if (!given.nodes.polynomial) { return std::nullopt; }
     std::vector<RationalPolynomial> psi;
@@ -57,7 +57,8 @@ ScaledInverse invert(const NumberMatrix& M, const Method& method, const Ingredie
                     whole(method.nodes.source), "choose other nodes, or other functions");
 }
 
-/// Whether the basis spans the polynomials of degree less than s. Precondition: M is regular.
+/// Returns whether the basis spans the polynomials of degree less than s. Precondition: M is
+/// regular.
 bool spans_polynomials(const std::vector<BasisFunction>& psi) {
     for (const BasisFunction& function : psi) {
         if (!function.function.is_polynomial()) { return false; }
@@ -68,9 +69,9 @@ bool spans_polynomials(const std::vector<BasisFunction>& psi) {
     return true;
 }
 
-/// By how many degrees more than interpolation gives the rule is exact: it vanishes on the
-/// multiples of the nodes' polynomial P, so these are the k for which the integrals of P, P tau,
-/// ..., P tau^(k-1) vanish, at most s. 0 where that is not known.
+/// Returns how many degrees more than interpolation gives the rule is exact for. It vanishes on the
+/// multiples of the nodes' polynomial P, so this is the largest k for which the integrals of P, P
+/// tau, ..., P tau^(k-1) vanish, at most s. 0 where that is not known.
 std::size_t degrees_beyond_interpolation(const Ingredients& given) {
     if (!given.nodes.polynomial || !spans_polynomials(given.psi)) { return 0; }
     RationalPolynomial multiple = *given.nodes.polynomial;
@@ -98,9 +99,10 @@ struct PartnerRow {
     Number sum;
 };
 
-/// a~_ij = b_j (1 - a_ji/b_i) = b_j (b_i - a_ji)/b_i for all j. NOTE: exact numbers are divided
-/// last, and their sum once: in a field with generators the quotient is by far the longest of them.
-/// Where enclosures are involved a_ji/b_i comes first: it is exactly 0 or 1 where a_ji is 0 or b_i.
+/// Returns a~_ij = b_j (1 - a_ji/b_i) = b_j (b_i - a_ji)/b_i for all j. NOTE: exact numbers are
+/// divided last, and their sum once: in a field with generators the quotient is by far the longest
+/// of them. Where enclosures are involved a_ji/b_i comes first: it is exactly 0 or 1 where a_ji is
+/// 0 or b_i.
 PartnerRow partner_row(const ButcherPair& pair, std::size_t i) {
     const NumberVector& b = pair.b;
     const bool exact = std::all_of(b.begin(), b.end(), is_exact) &&
@@ -117,16 +119,16 @@ PartnerRow partner_row(const ButcherPair& pair, std::size_t i) {
     return result;
 }
 
-/// Step 5, and the row sums c~. With interpolating polynomials two facts need no computing, which
-/// enclosures could not prove:
+/// Does step 5, and computes the row sums c~. With interpolating polynomials two facts need no
+/// computation, which enclosures could not prove:
 ///
 /// A rule exact for one degree more has sum_j b_j a_ji = b_i (1 - c_i), the integral of
 /// (1 - tau) phi_i, and so sum_j a~_ij = c_i.
 ///
-/// A rule exact for s degrees more, Gauss', has for k = 1 .. s in the same way
-/// sum_j b_j c_j^(k-1) a_ji = b_i (1 - c_i^k)/k, the integral of (1 - tau^k)/k phi_i, and so
-/// sum_j a~_ij c_j^(k-1) = c_i^k/k. These s equations determine row i of A~, and row i of A
-/// satisfies them: A~ = A.
+/// A rule exact for s degrees more, which is Gauss', has for k = 1 .. s in the same way sum_j b_j
+/// c_j^(k-1) a_ji = b_i (1 - c_i^k)/k, the integral of (1 - tau^k)/k phi_i, and so sum_j a~_ij
+/// c_j^(k-1) = c_i^k/k. These s equations determine row i of A~, and row i of A satisfies them: A~
+/// = A.
 void complete_partner(ButcherPair& pair, const Ingredients& given) {
     const Progress::Stage stage("computing the partner tableau");
     const std::size_t s = pair.stages();
@@ -143,7 +145,7 @@ void complete_partner(ButcherPair& pair, const Ingredients& given) {
     }
 }
 
-/// M^-1 = adjugate * scale; with it the weights, where interpolation has them too.
+/// M^-1 = adjugate * scale, and the weights where interpolation gives them.
 struct Inversion {
     NumberMatrix adjugate;
     Number scale;
@@ -164,7 +166,7 @@ Inversion inversion(Galerkin& galerkin, const Method& method, const Ingredients&
     return {std::move(inverse.adjugate), scale, std::nullopt};
 }
 
-/// Steps 3 to 5.
+/// Does steps 3 to 5.
 ButcherPair butcher_pair(const Galerkin& galerkin, const Inversion& M, const Method& method,
                          const Ingredients& given) {
     const auto times_inverse = [&](const NumberVector& v) { return M.adjugate * v * M.scale; };
@@ -179,8 +181,8 @@ ButcherPair butcher_pair(const Galerkin& galerkin, const Inversion& M, const Met
     return pair;
 }
 
-/// Throws MathError where weights were given and are others than b = M^-1 B: with as many nodes as
-/// functions no others are consistent.
+/// Throws MathError where given weights differ from b = M^-1 B: with as many nodes as functions no
+/// others are consistent.
 void check_given_weights(const Method& method, const ButcherPair& pair, const Ingredients& given) {
     if (!method.weights) { return; }
     const NumberVector b = given_weights(method, given);
@@ -212,7 +214,7 @@ Tableau derive(const Method& method, const Ingredients& given) {
             std::move(galerkin)};
 }
 
-/// sum_k coefficients[k] functions[k]
+/// Returns sum_k coefficients[k] functions[k].
 ExactFunction combine(const NumberVector& coefficients,
                       const std::vector<BasisFunction>& functions) {
     ExactFunction sum;

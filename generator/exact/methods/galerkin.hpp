@@ -14,20 +14,20 @@ namespace hvi::gen {
 ///
 /// Throws MathError when there are fewer nodes than functions, when constants are not in the span
 /// of the basis (Section 4.4.3), when M is singular, naming the combination of functions that
-/// vanishes at all nodes, and when a weight is zero, naming the node; InputError when there are more
-/// nodes than functions: derive_any() computes that general form (4.6).
+/// vanishes at all nodes, and when a weight is zero, naming the node. Throws InputError when there
+/// are more nodes than functions: derive_any() computes that general form (4.6).
 [[nodiscard]] Tableau derive(const Method& method);
 
-/// The same on the field of `ground`, for those who compute with the tableau and with numbers of
-/// their own: these come from the ground in the result, which knows the values of the method's
-/// parameters. Throws as derive() does, and TooCoarse (see on_new_ground).
+/// A tableau on the field of `ground`, for callers that compute with the tableau and with numbers
+/// of their own. Their numbers come from the ground in the result, which knows the values of the
+/// method's parameters. derive_on() throws as derive() does, and TooCoarse (see on_new_ground).
 struct Derivation {
     Tableau tableau;
     Ground ground;
 };
 [[nodiscard]] Derivation derive_on(const Ground& ground, const Method& method);
 
-/// A tableau or the general form on the field of `ground`, as derive_any() and derive_on() say.
+/// A tableau or the general form on the field of `ground`; see derive_any() and derive_on().
 struct AnyDerivation {
     DerivedMethod method;
     Ground ground;

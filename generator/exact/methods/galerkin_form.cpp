@@ -16,7 +16,7 @@ struct Basis {
     NumberMatrix T;
     NumberMatrix G;
 
-    /// psi_k += factor psi_j.
+    /// Adds factor psi_j to psi_k.
     void add(std::size_t k, std::size_t j, const Number& factor) {
         const std::size_t s = G.size();
         for (std::size_t l = 0; l < s; ++l) { T[k][l] = T[k][l] + factor * T[j][l]; }
@@ -31,8 +31,8 @@ struct Basis {
     }
 };
 
-/// Makes G[j][j] different from zero, of the functions from j on. NOTE: where negative weights make
-/// all of them null, two that are not orthogonal have a sum that is not.
+/// Makes G[j][j] different from zero, by the functions from j on. NOTE: negative weights may make
+/// all of them null. Then two that are not orthogonal have a sum that is not null.
 void set_pivot(Basis& basis, std::size_t j) {
     const std::size_t s = basis.G.size();
     for (std::size_t k = j; k < s; ++k) {
@@ -51,7 +51,7 @@ void set_pivot(Basis& basis, std::size_t j) {
     HVI_CHECK(false);  // G is regular
 }
 
-/// The power of two that brings f^2 = square near to 1.
+/// Returns the power of two that brings f^2 = square near to 1.
 Number scale_of(const Number& square) {
     const int exponent = -std::ilogb(square.nearest_double()) / 2;
     Number power(1);
@@ -93,7 +93,7 @@ GalerkinForm form_of(const Tableau& tableau) {
     return {tableau.c, tableau.b, identity(tableau.stages()), tableau.A, tableau.b, tableau.b};
 }
 
-/// u^T G^-1 v
+/// Returns u^T G^-1 v.
 Number product(const GalerkinForm& form, const NumberVector& u, const NumberVector& v) {
     Number sum;
     for (std::size_t j = 0; j < form.functions(); ++j) { sum = sum + u[j] * v[j] / form.gram[j]; }
@@ -120,8 +120,8 @@ std::optional<std::vector<std::size_t>> mirrored(const NumberVector& c, Verdict&
     return result;
 }
 
-// NOTE: with the weights the numbers phi_i G^-1 phi_k and phi_i G^-1 A_k make the step, as the
-// phi_i span all s-vectors. The adjoint has node 1 - c_i and B - A_i where this one has c_i and
+// NOTE: the step depends on the weights and the numbers phi_i G^-1 phi_k and phi_i G^-1 A_k, as the
+// phi_i span all s-vectors. The adjoint has node 1 - c_i and B - A_i where this form has c_i and
 // A_i, and phi_i G^-1 B = 1, as B are the coefficients of 1 times G.
 Verdict is_symmetric(const GalerkinForm& form) {
     Verdict result;

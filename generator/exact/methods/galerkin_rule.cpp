@@ -26,7 +26,7 @@ void check_distinct(const Method& method, const NumberVector& c) {
     }
 }
 
-/// The product of (x - c_k), by ascending powers.
+/// Returns the product of (x - c_k), by ascending powers.
 NumberVector node_polynomial(const NumberVector& c) {
     NumberVector P{Number(1)};
     for (const Number& node : c) {
@@ -36,14 +36,14 @@ NumberVector node_polynomial(const NumberVector& c) {
     return P;
 }
 
-/// b_j: the integral over [0,1] of P/(x - c_j), divided by its value at c_j.
+/// Returns b_j: the integral over [0,1] of P/(x - c_j), divided by its value at c_j.
 Number interpolatory_weight(const NumberVector& P, const Number& node) {
     Number coefficient, integral, value;
     for (std::size_t k = P.size() - 1; k-- > 0;) {  // Horner's scheme
         coefficient = P[k + 1] + node * coefficient;
         integral = integral + coefficient / Number(static_cast<long>(k) + 1);
     }
-    Number slope;  // of P at the node, which is what P/(x - c_j) is there
+    Number slope;  // slope of P at the node, which is the value of P/(x - c_j) there
     for (std::size_t k = P.size(); k-- > 1;) {
         slope = slope * node + P[k] * Number(static_cast<long>(k));
     }
@@ -68,7 +68,8 @@ NumberVector interpolatory_weights(const Method& method, const Ingredients& give
     return weights;
 }
 
-/// Whether an interpolatory rule with so many nodes integrates it.
+/// Returns whether a function is a polynomial that an interpolatory rule with so many nodes
+/// integrates.
 bool is_polynomial_below(const ExactFunction& function, std::size_t degree) {
     if (!function.is_polynomial()) { return false; }
     for (const ExactTerm& term : function.terms()) {
@@ -77,21 +78,22 @@ bool is_polynomial_below(const ExactFunction& function, std::size_t degree) {
     return true;
 }
 
-/// sum_i b_i f_i
+/// Returns sum_i b_i f_i.
 Number applied(const NumberVector& b, const NumberVector& f) {
     Number sum;
     for (std::size_t i = 0; i < b.size(); ++i) { sum = sum + b[i] * f[i]; }
     return sum;
 }
 
-/// sum_i b_i f(c_i) g(c_i), for polynomials over Q at the roots of P by an interpolatory rule.
+/// Returns sum_i b_i f(c_i) g(c_i), for polynomials over Q at the roots of P by an interpolatory
+/// rule.
 Number rational_product(const RationalPolynomial& f, const RationalPolynomial& g,
                         const Ingredients& given) {
     const RationalPolynomial rest = remainder(f * g, *given.nodes.polynomial);
     return given.ground.rational(rest.integral_over_unit_interval(), "1");
 }
 
-/// Whether the weights are interpolatory at all roots of a polynomial over Q.
+/// Returns whether the weights are interpolatory at all roots of a polynomial over Q.
 bool is_rational(const Method& method, const Ingredients& given) {
     return !method.weights && given.nodes.polynomial.has_value();
 }
@@ -103,7 +105,8 @@ Number integral_by_rule(const Method& method, const Ingredients& given, const Ga
                                            : applied(rule.b, rule.Psi[j]);
 }
 
-/// NOTE: what interpolation makes exact is not asked for, as enclosures could not prove it.
+/// Checks that the rule is exact on the span. NOTE: functions that interpolation integrates exactly
+/// are not checked, as enclosures could not prove it.
 void check_exact(const Method& method, const Ingredients& given, const GalerkinRule& rule) {
     const Progress::Stage stage("integrating the basis by the rule");
     for (std::size_t j = 0; j < rule.functions(); ++j) {
@@ -168,8 +171,8 @@ NumberMatrix inverse_gram(const Method& method, const Ingredients& given, const 
                     "choose other nodes or weights, or other functions");
 }
 
-/// n_ij = c_i - A_i G^-1 A_j^T. NOTE: A_i is 0 at the node 0, and G^-1 A_j^T are the coefficients
-/// of 1 at the node 1, of which enclosures would not prove what follows.
+/// Returns n_ij = c_i - A_i G^-1 A_j^T. NOTE: A_i is 0 at the node 0, and G^-1 A_j^T are the
+/// coefficients of 1 at the node 1. Enclosures would not prove the zeros that follow.
 NumberMatrix positions(const GalerkinRule& rule, const NumberMatrix& inverse) {
     const std::size_t r = rule.nodes();
     NumberMatrix n(r, NumberVector(r));
@@ -232,7 +235,7 @@ GalerkinRule galerkin_rule(const Method& method, const Ingredients& given) {
     rule.provenance = provenance(method, psi);
     rule.c = nodes.c;
     rule.b = method.weights ? given_weights(method, given) : interpolatory_weights(method, given);
-    rule.parameters = ground.free_parameters();  // those of the weights too
+    rule.parameters = ground.free_parameters();  // with those of the weights
     rule.Psi = values(psi, nodes.c, ground);
     auto [B, A_psi] = basis_integrals(given);
     rule.B = std::move(B);

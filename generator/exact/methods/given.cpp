@@ -14,7 +14,7 @@ namespace hvi::gen {
 
 namespace {
 
-/// Replaces each coefficient by what `number` makes of it.
+/// Replaces each coefficient by the result of `number`.
 template <class ToNumber>
 NodesAndMethod numbers(const Coefficients& coefficients, ToNumber to_number) {
     const auto vector = [&](const CoefficientVector& entries) {
@@ -37,8 +37,8 @@ NodesAndMethod numbers(const Coefficients& coefficients, ToNumber to_number) {
     return result;
 }
 
-/// Numbers with free parameters have no enclosures, and so no sum with those that have nothing
-/// else.
+/// Checks that a number is exact. NOTE: numbers with free parameters have no enclosures, and so no
+/// sum with numbers that have nothing else.
 void check_is_exact(const Number& value, const Coefficient& entry) {
     if (is_exact(value)) { return; }
     throw InputError("a tableau with a free parameter and with numbers that have no closed form is "
@@ -47,7 +47,8 @@ void check_is_exact(const Number& value, const Coefficient& entry) {
                      "give the parameter a value with --param");
 }
 
-/// Of doubles at the largest number, when the decimals may be doubles; see unrounded().
+/// Returns the spacing of doubles at the largest number, when the decimals may be doubles; see
+/// unrounded().
 std::optional<double> double_spacing(const GivenTableau& given) {
     if (given.digits > most_digits_of_double) { return std::nullopt; }
     double largest = 0;

@@ -1,4 +1,4 @@
-// The numbers of a tableau that someone else made.
+// Numbers of a given tableau.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -20,11 +20,11 @@ struct NodesAndMethod {
 /// A tableau in its two readings.
 struct GivenTableau {
     std::vector<std::string> parameters;  ///< free symbols, sorted
-    NodesAndMethod written;               ///< every decimal means exactly what is written
-    NodesAndMethod enclosed;  ///< decimals that look rounded are unrounded(); else the same numbers
-    std::size_t rounded = 0;  ///< how many these are; none when there is a free parameter
-    int digits = 0;           ///< the most significant digits of one of them
-    Precision bits = 0;       ///< what tells numbers apart that differ in these digits
+    NodesAndMethod written;               ///< every decimal has exactly its written value
+    NodesAndMethod enclosed;  ///< decimals that look rounded are unrounded(); else as `written`
+    std::size_t rounded = 0;  ///< number of rounded decimals; 0 when there is a free parameter
+    int digits = 0;           ///< largest number of significant digits of a rounded decimal
+    Precision bits = 0;       ///< tell apart numbers that differ in these digits
 
     [[nodiscard]] std::size_t stages() const { return written.c.size(); }
     [[nodiscard]] RoundedMethod rounded_method() const {
@@ -32,7 +32,7 @@ struct GivenTableau {
     }
 };
 
-/// Computes with what a file says, on the field of `ground`. NOTE: a free parameter has no
+/// Evaluates the coefficients of a file, on the field of `ground`. NOTE: a free parameter has no
 /// enclosure, so that beside one every decimal is taken as exact. Throws as evaluate_number() does,
 /// InputError for a free parameter beside a number without a closed form, and TooCoarse (see
 /// on_new_ground).

@@ -15,7 +15,7 @@ namespace hvi::gen {
 
 namespace {
 
-/// The coefficients of the functions and of 1 in the independent terms that occur in them.
+/// Returns the coefficients of the functions and of 1 in the independent terms that occur in them.
 NumberMatrix in_terms(const std::vector<BasisFunction>& psi, const ExactFunction& last) {
     std::vector<ExactTerm> shapes;
     NumberMatrix rows;
@@ -53,7 +53,8 @@ bool proved_independent_of_one(const std::vector<BasisFunction>& psi) {
     return proved_independent(functions);
 }
 
-/// What `work` returns for a basis function; its errors get the function's place, and `where()`.
+/// Returns the result of `work` for a basis function; its errors get the function's place, and
+/// `where()`.
 template <class Work, class Where>
 Number of_function(const BasisFunction& function, Where where, Work work) {
     try {

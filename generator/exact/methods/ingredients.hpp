@@ -1,5 +1,5 @@
-// What Algorithm 4.3 and the general Galerkin form (4.6) begin with: the basis and the nodes as
-// exact functions and numbers.
+// Input of Algorithm 4.3 and the general Galerkin form (4.6): the basis and the nodes as exact
+// functions and numbers.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -13,43 +13,44 @@
 
 namespace hvi::gen {
 
-/// Everything exact that a method's text stands for.
+/// The exact meaning of a method's text.
 struct Ingredients {
     Ground ground;
     std::vector<BasisFunction> psi;
     Nodes nodes;
 };
 
-/// Throws as quadrature_nodes() and basis_functions() do.
+/// Returns the ingredients of a method. Throws as quadrature_nodes() and basis_functions() do.
 [[nodiscard]] Ingredients ingredients(const Method& method, Ground ground);
 
 [[nodiscard]] Provenance provenance(const Method& method, const std::vector<BasisFunction>& psi);
 
-/// `node 2, c = 1/2`
+/// Returns `node 2, c = 1/2`.
 [[nodiscard]] std::string node_text(const NumberVector& nodes, std::size_t i);
 
-/// Those of `--weights`, a number for each node; throws InputError for another count. Precondition:
-/// they are given.
+/// Returns the numbers of `--weights`, one for each node; throws InputError for another count.
+/// Precondition: weights are given.
 [[nodiscard]] NumberVector given_weights(const Method& method, const Ingredients& given);
 
-/// The closed form, or 16 digits.
+/// Returns the closed form, or 16 digits.
 [[nodiscard]] std::string text_of(const Number& number);
 
-/// sum_i v_i psi_i, as text.
+/// Returns sum_i v_i psi_i, as text.
 [[nodiscard]] std::string combination_text(const NumberVector& v,
                                            const std::vector<BasisFunction>& psi);
 
-/// Throws MathError where this combination of the functions is 0 not at the nodes alone.
+/// Throws MathError where this combination of the functions is 0 everywhere, not only at the nodes.
 void check_dependence(const Method& method, NumberVector v, std::vector<BasisFunction> psi);
 
-/// Section 4.4.3: the method is consistent when 1 is in the span of the basis. Throws MathError.
+/// Throws MathError unless 1 is in the span of the basis, by which the method is consistent
+/// (Section 4.4.3).
 void check_constants(const Method& method, const std::vector<BasisFunction>& psi);
 
-/// Throws InputError where some numbers have free parameters, and others, known by enclosures
-/// alone, no sum with them.
+/// Throws InputError where some numbers have free parameters, and others are known by enclosures
+/// alone, so that they have no sum.
 void check_parameters(const Method& method, const std::vector<NumberMatrix>& matrices);
 
-/// Of each function over [0, end].
+/// Returns the integrals of each function over [0, end].
 [[nodiscard]] NumberVector integrals(const std::vector<BasisFunction>& functions, const Number& end,
                                      const Ground& ground);
 
@@ -60,7 +61,7 @@ struct BasisIntegrals {
 };
 [[nodiscard]] BasisIntegrals basis_integrals(const Ingredients& given);
 
-/// psi_i(c_j), row by row.
+/// Returns psi_i(c_j), row by row.
 [[nodiscard]] NumberMatrix values(const std::vector<BasisFunction>& functions,
                                   const NumberVector& nodes, const Ground& ground);
 

@@ -11,9 +11,9 @@ namespace hvi::gen {
 
 namespace {
 
-/// The coefficients of the polynomials that interpolate: l_j(t) = sum_m v_m(c_j) t^m. With
-/// P(t) - P(y) = (t - y) sum_m D_m(y) t^m, D_m the quotient of P and y^(m+1),
-/// l_j(t) = P(t)/((t - c_j) P'(c_j)) has v_m = D_m/P' modulo P.
+/// Returns the coefficients of the interpolating polynomials: l_j(t) = sum_m v_m(c_j) t^m. With
+/// P(t) - P(y) = (t - y) sum_m D_m(y) t^m, D_m the quotient of P and y^(m+1), l_j(t) = P(t)/((t -
+/// c_j) P'(c_j)) has v_m = D_m/P' modulo P.
 std::optional<std::vector<RationalPolynomial>> lagrange(const RationalPolynomial& P) {
     const auto scale = inverse_modulo(P.derivative(), P);
     if (!scale) { return std::nullopt; }
@@ -26,7 +26,8 @@ std::optional<std::vector<RationalPolynomial>> lagrange(const RationalPolynomial
     return result;
 }
 
-/// The columns of M^-1: M = C V with the coefficients C of psi and V of powers of the nodes.
+/// Returns the columns of M^-1: M = C V with the coefficients C of psi and V of powers of the
+/// nodes.
 std::optional<std::vector<RationalPolynomial>> columns(const std::vector<RationalPolynomial>& psi,
                                                        const RationalPolynomial& P) {
     const auto v = lagrange(P);
@@ -50,7 +51,7 @@ std::optional<std::vector<RationalPolynomial>> columns(const std::vector<Rationa
     return result;
 }
 
-/// sum_i u_i times the integral of psi_i over [0,1]
+/// Returns sum_i u_i times the integral of psi_i over [0,1].
 RationalPolynomial weight(const std::vector<RationalPolynomial>& u,
                           const std::vector<RationalPolynomial>& psi) {
     RationalPolynomial result;
@@ -68,7 +69,7 @@ public:
     Root(const Number& value, const std::vector<IrreducibleFactor>& factors)
         : value_(value), minimal_(minimal_polynomial(value, factors)) {}
 
-    /// The value of a polynomial at the root.
+    /// Returns the value of a polynomial at the root.
     [[nodiscard]] Number at(const RationalPolynomial& polynomial, const Ground& ground) const {
         const RationalPolynomial reduced = remainder(polynomial, minimal_);
         if (reduced.degree() <= 0) { return ground.rational(reduced.coefficient(0), "1"); }
@@ -79,7 +80,7 @@ public:
     }
 
 private:
-    /// The one factor that enclosures of its value do not keep from zero.
+    /// Returns the one factor that enclosures of its value do not keep from zero.
     static RationalPolynomial minimal_polynomial(const Number& root,
                                                  const std::vector<IrreducibleFactor>& factors) {
         for (Precision bits = first_precision; bits <= last_precision; bits *= 2) {

@@ -10,20 +10,20 @@
 
 namespace hvi::gen {
 
-/// A function that is a polynomial over Q, as one.
+/// Returns a function as a polynomial over Q, if it is one.
 [[nodiscard]] std::optional<RationalPolynomial> as_polynomial(const ExactFunction& function);
 
-/// What Algorithm 4.3 needs of a basis of polynomials psi_1 .. psi_s of degree less than s at the
+/// Input of Algorithm 4.3 for a basis of polynomials psi_1 .. psi_s of degree less than s at the
 /// nodes c_1 .. c_s.
 struct Interpolation {
-    NumberMatrix M_inverse;  ///< of M[i][j] = psi_i(c_j)
-    NumberVector b;          ///< the integrals over [0,1] of phi = M^-1 psi
+    NumberMatrix M_inverse;  ///< inverse of M[i][j] = psi_i(c_j)
+    NumberVector b;          ///< integrals over [0,1] of phi = M^-1 psi
 };
 
-/// Every entry is a polynomial in one node, computed in Q[x]/(P), and evaluated in the end:
-/// rational where it is constant modulo the minimal polynomial of the node, so that equal weights
-/// and zero weights are proved also at nodes without a closed form. `nodes` are the roots of P,
-/// each once; empty when P has multiple roots or the psi are dependent.
+/// Returns the interpolation. Every entry is a polynomial in one node, computed in Q[x]/(P), and
+/// evaluated in the end. It is rational where it is constant modulo the minimal polynomial of the
+/// node, so that equal weights and zero weights are proved also at nodes without a closed form.
+/// `nodes` are the roots of P, each once; empty when P has multiple roots or the psi are dependent.
 [[nodiscard]] std::optional<Interpolation> interpolate(const std::vector<RationalPolynomial>& psi,
                                                        const RationalPolynomial& P,
                                                        const NumberVector& nodes,

@@ -14,7 +14,7 @@ namespace {
 
 RationalPolynomial x() { return RationalPolynomial::variable(); }
 
-/// The polynomial on [-1, 1] whose roots are the nodes of a family.
+/// Returns the polynomial on [-1, 1] whose roots are the nodes of a family.
 RationalPolynomial symmetric_polynomial(const std::string& family, unsigned s) {
     const RationalPolynomial one(1);
     if (family == "gauss") return legendre(s);
@@ -27,7 +27,7 @@ RationalPolynomial symmetric_polynomial(const std::string& family, unsigned s) {
     return (x() * x() - one) * chebyshev_t(s - 1).derivative();
 }
 
-/// A polynomial with the roots first/n, (first + 1)/n, ..., last/n.
+/// Returns a polynomial with the roots first/n, (first + 1)/n, ..., last/n.
 RationalPolynomial equally_spaced(long first, long last, long n) {
     RationalPolynomial product(1);
     for (long i = first; i <= last; ++i) {
@@ -40,12 +40,12 @@ Number fraction(long numerator, long denominator) {
     return Number(numerator) / Number(denominator);
 }
 
-/// (1 - cos(pi p/q))/2: from the angle on the circle to [0, 1], ascending.
+/// Returns (1 - cos(pi p/q))/2: from the angle on the circle to [0, 1], ascending.
 Number projected(long p, long q, const Ground& ground) {
     return (Number(1) - ground.cos(ground.pi() * fraction(p, q))) / Number(2);
 }
 
-/// Node number i = 0 .. s-1 of the families that have a formula for them.
+/// Returns node number i = 0 .. s-1 of the families that have a formula for their nodes.
 std::optional<Number> explicit_node(const std::string& family, long s, long i,
                                     const Ground& ground) {
     if (family == "newton-cotes") return fraction(i, s - 1);
@@ -55,7 +55,7 @@ std::optional<Number> explicit_node(const std::string& family, long s, long i,
     return std::nullopt;
 }
 
-/// tau - node when the node is rational.
+/// Returns tau - node when the node is rational.
 std::optional<RationalPolynomial> linear_factor(const Number& node) {
     const auto negative = rational_text(-node);
     if (!negative) return std::nullopt;
@@ -64,8 +64,8 @@ std::optional<RationalPolynomial> linear_factor(const Number& node) {
     return factor;
 }
 
-/// (tau - c_1) (tau - c_2) ..., where it is over Q. NOTE: then so are the sums of the nodes and of
-/// their squares, and where they are not the product may be too long to be written.
+/// Returns (tau - c_1) (tau - c_2) ..., where it is over Q. NOTE: then so are the sums of the nodes
+/// and of their squares. Where they are not, the product may be too long to be written.
 std::optional<RationalPolynomial> product_of_factors(const NumberVector& c) {
     Number sum, squares;
     for (const Number& node : c) {
@@ -79,7 +79,7 @@ std::optional<RationalPolynomial> product_of_factors(const NumberVector& c) {
     return over_rationals(polynomial);
 }
 
-/// The argument of `roots(...)` as a polynomial in tau over Q.
+/// Returns the argument of `roots(...)` as a polynomial in tau over Q.
 RationalPolynomial root_polynomial(const Expression& argument, const List& list,
                                    const Ground& ground) {
     const Place place = list.place(argument.range);
@@ -106,7 +106,7 @@ public:
         multiply(linear_factor(node));
     }
 
-    /// NOTE: nodes with a formula are exact where it is, and not roots of anything to be isolated.
+    /// Adds the nodes of a family. NOTE: nodes with a formula are exact, and not isolated as roots.
     void add_family(const Family& family, const Place& place) {
         if (!explicit_node(family.name, family.size, 0, ground_)) {
             add_roots(family_polynomial(family), place);

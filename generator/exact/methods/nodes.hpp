@@ -15,11 +15,12 @@ struct Nodes {
     std::optional<RationalPolynomial> polynomial;
 };
 
-/// The monic polynomial over Q in tau whose roots are the nodes of a family in [0, 1].
+/// Returns the monic polynomial over Q in tau whose roots are the nodes of a family in [0, 1].
 /// Precondition: the family is one of node_families() and has this size.
 [[nodiscard]] RationalPolynomial family_polynomial(const Family& family);
 
-/// Throws as evaluate_number does; MathError when `roots(...)` has no real root.
+/// Returns the nodes of a list. Throws as evaluate_number does; MathError when `roots(...)` has no
+/// real root.
 [[nodiscard]] Nodes quadrature_nodes(const List& list, const Ground& ground);
 
 }  // namespace hvi::gen

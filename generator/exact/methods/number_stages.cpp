@@ -12,7 +12,7 @@ namespace hvi::gen {
 
 namespace {
 
-/// Whether some coefficient has the property.
+/// Returns whether some coefficient has the property.
 template <class Property>
 bool any_coefficient(const PartitionedMethod& method, Property property) {
     const auto in_row = [&](const NumberVector& row) {
@@ -23,7 +23,7 @@ bool any_coefficient(const PartitionedMethod& method, Property property) {
            std::any_of(method.A_tilde.begin(), method.A_tilde.end(), in_row);
 }
 
-/// -1, 0, 1 in some order of normal forms.
+/// Returns -1, 0 or 1 in some order of normal forms.
 int compare(const Element& left, const Element& right) {
     const auto* const context = IntegerMultivariate::context();
     const auto& a = left.numerator();
@@ -39,7 +39,7 @@ int compare(const Element& left, const Element& right) {
     return fmpz_mpoly_cmp(left.denominator().get(), right.denominator().get(), context);
 }
 
-/// Throws TooLarge where arithmetic had to leave numbers to their enclosures.
+/// Returns the numbers. Throws TooLarge where arithmetic had to leave numbers to their enclosures.
 NumberVector exact(NumberVector numbers) {
     for (const Number& number : numbers) {
         if (!is_exact(number)) { throw TooLarge(); }

@@ -13,26 +13,26 @@
 
 namespace hvi::gen {
 
-/// The coefficients for q, and with a tilde those for p.
+/// Coefficients for q, and with a tilde those for p.
 struct PartitionedMethod {
     NumberVector b, b_tilde;
     NumberMatrix A, A_tilde;
 
     [[nodiscard]] std::size_t stages() const { return b.size(); }
-    [[nodiscard]] bool is_exact() const;  ///< all numbers have a place in the field
+    [[nodiscard]] bool is_exact() const;  ///< whether all numbers have a place in the field
     [[nodiscard]] bool has_parameters() const;
 };
 
 [[nodiscard]] PartitionedMethod partitioned_method(const ButcherPair& pair);
 
-/// Coefficients of which some are known to some digits only.
+/// Coefficients, some of them known to some digits only.
 struct RoundedMethod {
     PartitionedMethod written;   ///< as they are written
-    PartitionedMethod enclosed;  ///< the same, as unrounded() has them (see rounded.hpp)
-    Precision bits;              ///< what their digits take
+    PartitionedMethod enclosed;  ///< enclosures by unrounded() (see rounded.hpp)
+    Precision bits;              ///< precision of their digits
 };
 
-/// Functions on the stages as vectors of exact numbers; TooLarge is thrown where they do not stay
+/// Functions on the stages as vectors of exact numbers. TooLarge is thrown where they do not stay
 /// exact. Precondition: the method is exact.
 class NumberStages {
 public:
@@ -44,9 +44,9 @@ public:
     [[nodiscard]] std::size_t count() const { return method_.stages(); }
     [[nodiscard]] Function one() const { return Function(method_.stages(), Number(1)); }
     [[nodiscard]] Function product(const Function& left, const Function& right) const;
-    /// times sum_i b_i function_i - 1, with b~ for g.
+    /// Returns `times` sum_i b_i function_i - 1, with b~ for g.
     [[nodiscard]] Scalar defect(Colour colour, const Function& function, long times) const;
-    /// A function, with A~ for g, times a number.
+    /// Returns A, or A~ for g, applied to a function, times a number.
     [[nodiscard]] Function apply(Colour colour, const Function& function, long times) const;
 
     /// An order of normal forms.
@@ -58,9 +58,9 @@ private:
     PartitionedMethod method_;
 };
 
-/// The same for Algorithm 4.3, with A and A~ applied by what they are made of: A g = A_psi M^-T g,
-/// and A~ g = b.g - (M^-1 A_psi^T (b g))/b. Where the coefficients are long, their products with
-/// the functions of short ones, which are short again, cost far more than this. Results are
+/// Functions on the stages for Algorithm 4.3. A and A~ are applied by their factors: A g = A_psi
+/// M^-T g, and A~ g = b.g - (M^-1 A_psi^T (b g))/b. Where the coefficients are long, their products
+/// with the functions of short ones, which are short again, cost far more than this. Results are
 /// remembered: families of trees share functions.
 class GalerkinStages : public NumberStages {
 public:
@@ -84,7 +84,7 @@ private:
     NumberVector b_;
 };
 
-/// Functions on the stages as vectors of enclosures, made with so many bits. No two are known to be
+/// Functions on the stages as vectors of enclosures, made with `bits` bits. No two are known to be
 /// equal.
 class BallStages {
 public:
@@ -106,8 +106,8 @@ private:
     Precision bits_;
 };
 
-/// The same where only some digits are known. Functions with the same enclosures, as those that
-/// differ in A for A~ have when A~ = A, are not told apart.
+/// Functions on the stages where only some digits are known. Functions with the same enclosures, as
+/// those that differ in A for A~ have when A~ = A, are not told apart.
 class RoundedStages : public BallStages {
 public:
     explicit RoundedStages(const RoundedMethod& method)

@@ -16,7 +16,7 @@ namespace hvi::gen {
 
 namespace {
 
-/// Enclosures were too wide for a decision.
+/// Thrown where enclosures are too wide for a decision.
 struct TooWide {};
 
 Verdict is_zero(const Number& number) { return {number.is_zero(), true}; }
@@ -36,7 +36,7 @@ Number rational_defect(const RationalPolynomial& constant, const TreePointer& /*
     return result;
 }
 
-/// psi of tree_classes.hpp, for one tree.
+/// Returns psi of tree_classes.hpp, for one tree.
 BallStages::Function psi(const BallStages& stages, const Tree& tree) {
     BallStages::Function result = stages.one();
     for (const TreePointer& child : tree.children) {
@@ -46,7 +46,7 @@ BallStages::Function psi(const BallStages& stages, const Tree& tree) {
     return result;
 }
 
-/// Whether a condition holds by its defect.
+/// Decides whether a condition holds, by its defect.
 struct Decided {
     template <class Scalar>
     Verdict operator()(const Scalar& defect) const {
@@ -56,13 +56,13 @@ struct Decided {
 
 Number exact_defect(const Number& defect, const TreePointer& /*tree*/) { return defect; }
 
-/// Whether it can hold, for coefficients of which only some digits are known.
+/// Returns whether a defect can be zero, for coefficients that are known to some digits only.
 Verdict can_be_zero(const Ball& defect) {
     return defect.sign() == 0 ? Verdict{true, false} : Verdict{false, true};
 }
 
-/// gamma sum_i b_i Phi_i - 1, enclosed to any precision anew from the coefficients. NOTE: there may
-/// be thousands of them, which share the method.
+/// The defect gamma sum_i b_i Phi_i - 1, enclosed to any precision anew from the coefficients.
+/// NOTE: there may be thousands of defects, which share the method.
 class EnclosedDefect {
 public:
     explicit EnclosedDefect(const PartitionedMethod& method)
@@ -79,8 +79,9 @@ private:
     std::shared_ptr<const PartitionedMethod> method_;
 };
 
-/// NOTE: in pairs, pairs of pairs and so on: a number known by its enclosures remembers what it is
-/// the sum of, and thousands of terms in a chain would take more stack than there is.
+/// Returns the sum of the terms. NOTE: in pairs, pairs of pairs and so on: a number known by its
+/// enclosures remembers its terms, and thousands of terms in a chain would take more stack than
+/// there is.
 Number sum_of(NumberVector terms) {
     if (terms.empty()) { return Number(0); }
     for (; terms.size() > 1; terms.resize((terms.size() + 1) / 2)) {
@@ -92,11 +93,11 @@ Number sum_of(NumberVector terms) {
     return terms.front();
 }
 
-/// Classes of trees that violate their condition, and gamma sum_i b_i Phi_i - 1 for them.
+/// Classes of trees that violate their condition, with their gamma sum_i b_i Phi_i - 1.
 using FailedClasses = std::map<std::pair<Colour, std::size_t>, Number>;
 
-/// Among the last trees. `to_number` takes such a defect as the stages compute it, and a tree that
-/// has it.
+/// Returns the failed classes among the last trees. `to_number` takes a defect as the stages
+/// compute it, and a tree that has it.
 template <class Stages, class Decide, class ToNumber>
 FailedClasses failed_classes(const Stages& stages, const TreeClasses<Stages>& classes,
                              Decide decide, ToNumber to_number, bool& proved) {
@@ -116,8 +117,8 @@ FailedClasses failed_classes(const Stages& stages, const TreeClasses<Stages>& cl
     return failed;
 }
 
-/// The failures of one class: trees of one root and one gamma sum_i b_i Phi_i - 1, the defect.
-/// NOTE: they are many, and what there is to compute is the same for most of them.
+/// Failures of one class: trees of one root and one gamma sum_i b_i Phi_i - 1, the defect. NOTE:
+/// there are many, and most of them share their computations.
 class FailedClass {
 public:
     explicit FailedClass(const Number& defect) : defect_(defect) {}
@@ -129,7 +130,7 @@ public:
         return {tree, entry->second};
     }
 
-    /// The sum of (residual/sigma)^2.
+    /// Returns the sum of (residual/sigma)^2.
     [[nodiscard]] Number squares() const {
         Number sum;
         for (const auto& [product, count] : counts_) {
@@ -140,11 +141,11 @@ public:
 
 private:
     Number defect_;
-    std::map<std::int64_t, std::int64_t> counts_;  ///< of trees by gamma sigma
+    std::map<std::int64_t, std::int64_t> counts_;  ///< number of trees by gamma sigma
     std::map<std::int64_t, Number> residuals_;     ///< by gamma
 };
 
-/// Those of all trees in failed classes, and the error constant.
+/// Lists the failures of all trees in failed classes, and sets the error constant.
 template <class Classes>
 void list_failures(OrderConditions& result, const FailedClasses& failed, Classes& classes,
                    TreeFamily family) {
@@ -210,7 +211,7 @@ Orders examine(const Stages& stages, Decide decide, ToNumber to_number, int max_
             examine(stages, decide, to_number, TreeFamily::nystrom, max_order)};
 }
 
-/// `examine` of the stages, in exact arithmetic where the numbers allow.
+/// Calls `examine` with the stages, in exact arithmetic where the numbers allow it.
 template <class Examine>
 auto on_stages(const PartitionedMethod& method, Examine examine) {
     if (method.is_exact()) {
@@ -221,7 +222,7 @@ auto on_stages(const PartitionedMethod& method, Examine examine) {
         }
     }
     const EnclosedDefect to_number(method);
-    // NOTE: enclosures of zero narrower than 10^-50 take 167 bits and some more for what is lost.
+    // NOTE: enclosures of zero narrower than 10^-50 take 167 bits and some more for cancellation.
     for (Precision bits = 4 * first_precision; bits <= last_precision; bits *= 2) {
         try {
             return examine(BallStages(method, bits), Decided(), to_number);

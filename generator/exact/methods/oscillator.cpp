@@ -26,7 +26,7 @@ bool has_parameters(const EvenMap& map) {
     return false;
 }
 
-/// Both divided by their common divisor, and by the denominator's value at 0.
+/// Returns both divided by their common divisor, and by the denominator's value at 0.
 PolynomialQuotient reduced(const NumberPolynomial& numerator, const NumberPolynomial& denominator,
                            PolynomialArithmetic& arithmetic) {
     const NumberPolynomial above = arithmetic.without(numerator, denominator);
@@ -53,7 +53,7 @@ void make_D_one_at_zero(EvenMap& map) {
     }
 }
 
-/// z^shift P(z^2)
+/// Returns z^shift P(z^2).
 NumberPolynomial in_z(const NumberPolynomial& polynomial, std::size_t shift) {
     NumberPolynomial result;
     for (std::size_t k = 0; k < polynomial.size(); ++k) {
@@ -63,7 +63,7 @@ NumberPolynomial in_z(const NumberPolynomial& polynomial, std::size_t shift) {
     return result;
 }
 
-/// Whether m11 m22 - t m12 m21 = D^2.
+/// Returns whether m11 m22 - t m12 m21 = D^2.
 Verdict has_determinant_one(const EvenMap& map, PolynomialArithmetic& arithmetic) {
     const NumberPolynomial diagonal = product(map.m11, map.m22);
     const NumberPolynomial other = shifted(product(map.m12, map.m21));
@@ -82,8 +82,8 @@ Verdict has_determinant_one(const EvenMap& map, PolynomialArithmetic& arithmetic
     return verdict;
 }
 
-/// The polynomials in t of a map. Where they are not rational, in enclosures: products of exact
-/// ones would take minutes.
+/// Returns the polynomials in t of a map. Where they are not rational they are enclosed: products
+/// of exact ones would take minutes.
 EvenMap even_map(const OscillatorMap& map) {
     EvenMap result{even(map.m11), odd(map.m12), odd(map.m21), even(map.m22), even(map.D)};
     for (NumberPolynomial* entry :
@@ -93,7 +93,7 @@ EvenMap even_map(const OscillatorMap& map) {
     return result;
 }
 
-/// P(factor t)
+/// Returns P(factor t).
 NumberPolynomial stretched(NumberPolynomial polynomial, const Number& factor) {
     Number power(1);
     for (Number& coefficient : polynomial) {
@@ -103,13 +103,13 @@ NumberPolynomial stretched(NumberPolynomial polynomial, const Number& factor) {
     return polynomial;
 }
 
-/// A step of gamma h.
+/// Returns the map of a step of size gamma h.
 EvenMap stretched(const EvenMap& map, const Number& gamma) {
     const auto all = [&](const NumberPolynomial& entry) { return stretched(entry, gamma * gamma); };
     return {all(map.m11), all(map.m12) * gamma, all(map.m21) * gamma, all(map.m22), all(map.D)};
 }
 
-/// First `right`, then `left`.
+/// Returns the map of `right`, then `left`.
 EvenMap product(const EvenMap& left, const EvenMap& right) {
     return {sum(product(left.m11, right.m11), shifted(product(left.m12, right.m21))),
             sum(product(left.m11, right.m12), product(left.m12, right.m22)),
@@ -118,7 +118,7 @@ EvenMap product(const EvenMap& left, const EvenMap& right) {
             product(left.D, right.D)};
 }
 
-/// Without the verdict on the determinant.
+/// Returns the map without the verdict on the determinant.
 OscillatorMap normalized(EvenMap& map, PolynomialArithmetic& arithmetic) {
     const bool parameters = has_parameters(map);
     if (!parameters) { divide_by_common(map, arithmetic); }
@@ -144,8 +144,9 @@ OscillatorMap completed(EvenMap map, PolynomialArithmetic arithmetic) {
     return result;
 }
 
-/// NOTE: the determinant by the theorem that a symplectic method has a symplectic map: products of
-/// the map's coefficients, rational functions of the parameters, would take minutes.
+/// Returns the map of Algorithm 4.3. NOTE: the determinant follows from the theorem that a
+/// symplectic method has a symplectic map: products of the map's coefficients, rational functions
+/// of the parameters, would take minutes.
 OscillatorMap in_basis(const ButcherPair& pair, const Galerkin& galerkin) {
     EvenMap map = even_map_in_basis(galerkin, pair.b);
     PolynomialArithmetic arithmetic;
@@ -155,7 +156,8 @@ OscillatorMap in_basis(const ButcherPair& pair, const Galerkin& galerkin) {
     return result;
 }
 
-/// Where there are free parameters. The minors of more functions are too many.
+/// Returns whether the map is computed in the basis: where there are free parameters. The minors of
+/// more functions are too many.
 bool is_for_basis(const Tableau& tableau) {
     constexpr std::size_t most_functions = 8;
     return tableau.galerkin && !tableau.parameters.empty() && tableau.stages() <= most_functions;
@@ -183,7 +185,7 @@ OscillatorMap oscillator_map(const GalerkinRule& rule) {
     return oscillator_map(partitioned_method(rule));
 }
 
-// With determinant 1 the inverse of the step with -z, the adjoint, has m11 and m22 exchanged.
+// The inverse of the step with -z, the adjoint, has m11 and m22 exchanged, as the determinant is 1.
 OscillatorMap composed(const OscillatorMap& method, const Composition& composition) {
     const EvenMap own = even_map(method);
     EvenMap adjoint = own;

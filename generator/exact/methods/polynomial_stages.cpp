@@ -20,7 +20,7 @@ RationalPolynomial times(const RationalPolynomial& g, long numerator, long denom
     return result;
 }
 
-/// The quotients of P and x^(m+1), m = 0 .. s-1.
+/// Returns the quotients of P and x^(m+1), m = 0 .. s-1.
 std::vector<RationalPolynomial> quotients(const RationalPolynomial& P) {
     std::vector<RationalPolynomial> result;
     for (long m = 0; m < P.degree(); ++m) {
@@ -31,8 +31,8 @@ std::vector<RationalPolynomial> quotients(const RationalPolynomial& P) {
     return result;
 }
 
-/// 1/(sum_m D_m/(m+1)): phi_i = P/((x - c_i) P'(c_i)) = sum_m D_m(c_i) x^m / P'(c_i) has the
-/// integral b_i.
+/// Returns 1/(sum_m D_m/(m+1)): phi_i = P/((x - c_i) P'(c_i)) = sum_m D_m(c_i) x^m / P'(c_i) has
+/// the integral b_i.
 RationalPolynomial inverse_weights(const std::vector<RationalPolynomial>& D,
                                    const RationalPolynomial& P) {
     RationalPolynomial sum;
@@ -94,8 +94,8 @@ const RationalPolynomial& PolynomialStages::moment(long exponent) const {
     return moments_[static_cast<std::size_t>(exponent)];
 }
 
-/// A~ g = b.g - (1/b_i) sum_j b_j a_ji g(c_j) in stage i, and a_ji is the integral of phi_i from 0
-/// to c_j: the sum is (1/P'(c_i)) sum_m D_m(c_i) b.(g x^(m+1))/(m+1).
+/// Returns A~ x^k. A~ g = b.g - (1/b_i) sum_j b_j a_ji g(c_j) in stage i, and a_ji is the integral
+/// of phi_i from 0 to c_j: the sum is (1/P'(c_i)) sum_m D_m(c_i) b.(g x^(m+1))/(m+1).
 RationalPolynomial PolynomialStages::partner_of_power(long k) const {
     RationalPolynomial sum;
     for (long m = 0; m < P_.degree(); ++m) {

@@ -12,7 +12,7 @@ namespace hvi::gen {
 
 /// The method of Algorithm 4.3 for a basis of the polynomials over Q of degree less than s, at the
 /// roots c_1 .. c_s of P. A function on the stages is a polynomial g modulo P, with the values
-/// g(c_i); with <g, h> = sum_i b_i g(c_i) h(c_i) the integral over [0,1] of g h modulo P,
+/// g(c_i). With <g, h> = sum_i b_i g(c_i) h(c_i), the integral over [0,1] of g h modulo P,
 ///
 ///     b.g = <1, g>,    A g = integral_0^x g modulo P,    <A~ g, h> + <g, A h> = (b.g)(b.h).
 ///
@@ -28,11 +28,11 @@ public:
 
     [[nodiscard]] Function one() const { return RationalPolynomial(1); }
     [[nodiscard]] Function product(const Function& g, const Function& h) const;
-    /// times b.g - 1, for either colour.
+    /// Returns `times` b.g - 1, for either colour.
     [[nodiscard]] Scalar defect(Colour colour, const Function& g, long times) const;
-    /// A g for f, A~ g for g, times a number.
+    /// Returns A g for f, A~ g for g, times a number.
     [[nodiscard]] Function apply(Colour colour, const Function& g, long times) const;
-    /// Onto the span of the basis, which has all functions on the stages.
+    /// Returns the projection onto the span of the basis, which has all functions on the stages.
     [[nodiscard]] static Function projected(const Function& g) { return g; }
     [[nodiscard]] Function power(long exponent) const;        ///< x^exponent
     [[nodiscard]] const Scalar& moment(long exponent) const;  ///< b.x^exponent

@@ -7,7 +7,7 @@ namespace hvi::gen {
 
 namespace {
 
-/// The matrix with a single 1.
+/// Returns the matrix with a single 1.
 RationalMatrix unit(std::size_t size, std::size_t row, std::size_t column) {
     RationalMatrix result(size, size);
     fmpq_one(result.entry(row, column));
@@ -28,7 +28,7 @@ RationalPolynomial times(const RationalPolynomial& g, long factor) {
 
 }  // namespace
 
-/// Rows are the coefficients of polynomials modulo P.
+/// Factors of the matrices. Rows are the coefficients of polynomials modulo P.
 struct ProjectedStages::Factors {
     explicit Factors(const RationalRule& rule)
         : size(static_cast<std::size_t>(rule.P.degree())),
@@ -39,7 +39,7 @@ struct ProjectedStages::Factors {
           W(inverse_G * A_psi) {}
 
     std::size_t size;
-    RationalMatrix H;      ///< of <., .>
+    RationalMatrix H;      ///< Gram matrix of <., .>
     RationalMatrix psi;    ///< the basis
     RationalMatrix A_psi;  ///< its integrals from 0 on
     RationalMatrix inverse_G;
@@ -58,8 +58,8 @@ private:
 ProjectedStages::ProjectedStages(const RationalRule& rule)
     : ProjectedStages(rule.P, Factors(rule)) {}
 
-/// A = A_psi G^-1 Psi diag(b), A~ = (1 1^T - Psi^T G^-1 A_psi^T) diag(b), the projection
-/// Psi^T G^-1 Psi diag(b) and n = x - A_psi G^-1 A_psi^T, as they act on polynomials.
+/// Sets A = A_psi G^-1 Psi diag(b), A~ = (1 1^T - Psi^T G^-1 A_psi^T) diag(b), the projection Psi^T
+/// G^-1 Psi diag(b) and n = x - A_psi G^-1 A_psi^T, as they act on polynomials.
 ProjectedStages::ProjectedStages(const RationalPolynomial& P, const Factors& factors)
     : P_(P),
       A_(factors.H * transpose(factors.psi) * factors.W),

@@ -8,7 +8,7 @@
 namespace hvi::gen {
 
 /// The method of partitioned_method(GalerkinRule). A function on the stages is a polynomial g
-/// modulo P, with the values g(c_i); with <g, h> = sum_i b_i g(c_i) h(c_i)
+/// modulo P, with the values g(c_i). With <g, h> = sum_i b_i g(c_i) h(c_i)
 ///
 ///     b.g = <1, g>,    A g = integral_0^x v modulo P,    <A~ g, h> + <g, A h> = (b.g)(b.h),
 ///
@@ -27,14 +27,14 @@ public:
 
     [[nodiscard]] Function one() const { return RationalPolynomial(1); }
     [[nodiscard]] Function product(const Function& g, const Function& h) const;
-    /// times b.g - 1, for either colour.
+    /// Returns `times` b.g - 1, for either colour.
     [[nodiscard]] Scalar defect(Colour colour, const Function& g, long times) const;
-    /// A g for f, A~ g for g, times a number.
+    /// Returns A g for f, A~ g for g, times a number.
     [[nodiscard]] Function apply(Colour colour, const Function& g, long times) const;
-    /// v, modulo P.
+    /// Returns v, modulo P.
     [[nodiscard]] Function projected(const Function& g) const;
 
-    /// The coefficients of x^k y^m in n(x, y) modulo P(x) and P(y): n_ij of GalerkinRule is
+    /// Returns the coefficients of x^k y^m in n(x, y) modulo P(x) and P(y): n_ij of GalerkinRule is
     /// n(c_i, c_j), and all n_ij are 0 where all coefficients are.
     [[nodiscard]] const RationalMatrix& positions() const { return n_; }
 
@@ -45,7 +45,7 @@ private:
     [[nodiscard]] Function applied(const RationalMatrix& matrix, const Function& g) const;
 
     RationalPolynomial P_;
-    RationalMatrix A_, A_tilde_, projection_;  ///< of rows of coefficients, which stand to the left
+    RationalMatrix A_, A_tilde_, projection_;  ///< act on rows of coefficients, from the right
     RationalMatrix n_;
 };
 

@@ -15,7 +15,7 @@ namespace {
 
 Verdict vanishes(const RationalPolynomial& function) { return {function.degree() < 0, true}; }
 
-/// The matrix of what `column` returns for k = 0 .. s-1: its coefficients of 1 .. x^(s-1).
+/// Fills a matrix with the results of `column` for k = 0 .. s-1: coefficients of 1 .. x^(s-1).
 template <class Column>
 void fill(RationalMatrix& matrix, long stages, Column column) {
     for (long k = 0; k < stages; ++k) {
@@ -28,7 +28,8 @@ void fill(RationalMatrix& matrix, long stages, Column column) {
     }
 }
 
-/// On 1 .. x^(s-1): A~^T G + G A = b b^T with the Gram matrix G of <., .>, and b.x^k for b.
+/// Returns whether, on 1 .. x^(s-1), A~^T G + G A = b b^T with the Gram matrix G of <., .>, and
+/// b.x^k for b.
 Verdict is_symplectic(const PolynomialStages& stages) {
     const long s = stages.count();
     const auto size = static_cast<std::size_t>(s);
@@ -52,7 +53,8 @@ Verdict is_symplectic(const PolynomialStages& stages) {
     return {fmpq_mat_equal(sum.get(), b.get()) != 0, true};
 }
 
-/// With R g(x) = g(1 - x): P and its roots are mapped to themselves, and R A R g + A g = b.g.
+/// Returns whether, with R g(x) = g(1 - x), P and its roots are mapped to themselves, and R A R g +
+/// A g = b.g.
 Verdict is_symmetric(const PolynomialStages& stages, const RationalPolynomial& P) {
     const RationalPolynomial mirrored = P.at_affine(-1, 1);
     if (!(vanishes(mirrored - P).holds || vanishes(mirrored + P).holds)) { return {false, true}; }
@@ -77,7 +79,7 @@ Verdict is_runge_kutta(const PolynomialStages& stages) {
     return verdict;
 }
 
-/// What decides whether a condition's residual vanishes.
+/// Decides whether a condition's residual vanishes.
 using Decision = std::function<Verdict(const Number&)>;
 
 Decision for_rounded(const RoundedMethod& method) {
@@ -95,7 +97,8 @@ Number symplectic_residual(const PartitionedMethod& method, std::size_t i, std::
     return b[i] * A_tilde[i][j] + b_tilde[j] * A[j][i] - b[i] * b_tilde[j];
 }
 
-/// All conditions up to the first that does not hold; that one as of the coefficients `written`.
+/// Verdict on all conditions up to the first that does not hold, and its residual by the
+/// coefficients `written`.
 struct Symplecticity {
     Verdict verdict;
     std::optional<SymplecticDefect> defect;
@@ -147,7 +150,7 @@ Verdict is_runge_kutta(const PartitionedMethod& method, const Decision& vanish) 
     return verdict;
 }
 
-/// Looks for sigma stage by stage, and takes back what does not lead on.
+/// Looks for sigma stage by stage, and takes back choices that lead nowhere.
 class Mirror {
 public:
     Mirror(const PartitionedMethod& method, Decision vanish)
@@ -171,7 +174,7 @@ private:
         return false;
     }
 
-    /// Whether the last stage fits all up to itself.
+    /// Returns whether the last stage fits all stages up to itself.
     [[nodiscard]] Verdict last_fits() const {
         const std::size_t i = sigma_.size() - 1;
         const auto& [b, b_tilde, A, A_tilde] = method_;
@@ -192,7 +195,7 @@ private:
     const PartitionedMethod& method_;
     Decision vanish_;
     std::vector<std::size_t> sigma_;
-    std::vector<Verdict> verdicts_{Verdict{}};  ///< on the first 0, 1, ... stages
+    std::vector<Verdict> verdicts_{Verdict{}};  ///< verdicts on the first 0, 1, ... stages
 };
 
 }  // namespace

@@ -11,15 +11,15 @@ namespace {
 
 Verdict exactly(bool holds) { return {holds, true}; }
 
-/// n(x, y) - n(y, x) = x - y, which is more.
+/// Returns whether n(x, y) - n(y, x) = x - y, which implies the conditions.
 Verdict is_symplectic_over_rationals(const RationalMatrix& n) {
     RationalMatrix x = n - n;
     fmpq_one(x.entry(1, 0));
     return exactly(n - transpose(n) == x - transpose(x));
 }
 
-/// P and its roots, and with them the weights, are mapped to themselves by 1 - x, and
-/// n(1 - x, 1 - y) = n(y, x).
+/// Returns whether P and its roots, and with them the weights, are mapped to themselves by 1 - x,
+/// and n(1 - x, 1 - y) = n(y, x).
 Verdict is_symmetric_over_rationals(const RationalRule& rule) {
     const RationalPolynomial& P = rule.P;
     if (!(monic(P.at_affine(-1, 1)) == monic(P))) { return exactly(false); }

@@ -13,7 +13,7 @@ namespace hvi::gen {
 
 namespace {
 
-/// A z at which something may change.
+/// A z at which stability may change.
 struct SpecialPoint {
     enum class Kind { pole, identity, jordan_block };
     Kind kind;
@@ -21,7 +21,7 @@ struct SpecialPoint {
     int half_trace = 0;  ///< 1 or -1, except at a pole
 };
 
-/// The zeros of half_trace - 1 and half_trace + 1 and of D, and the signs between them.
+/// Zeros of half_trace - 1 and half_trace + 1 and of D, and the signs between them.
 class SpecialPoints {
 public:
     SpecialPoints(const OscillatorMap& map, long until) : until_(until) {
@@ -41,7 +41,7 @@ public:
     [[nodiscard]] const SpecialPoint& operator[](std::size_t i) const { return points_[i]; }
     [[nodiscard]] bool proved() const { return arithmetic_.proved(); }
 
-    /// Whether |half_trace| < 1, that is (half_trace - 1) (half_trace + 1) < 0, on the open
+    /// Returns whether |half_trace| < 1, that is (half_trace - 1) (half_trace + 1) < 0, on the open
     /// interval before point i, or after the last one.
     [[nodiscard]] bool is_stable_before(std::size_t i) const {
         if (minus_one_.empty() || plus_one_.empty()) { return false; }
@@ -57,7 +57,8 @@ private:
         }
     }
 
-    /// The roots of half_trace -+ 1; the map is +-I where m12, m21 and m11 - m22 vanish as well.
+    /// Appends the roots of half_trace -+ 1; the map is +-I where m12, m21 and m11 - m22 vanish as
+    /// well.
     void append_ends(const OscillatorMap& map, NumberPolynomial difference,
                      const NumberPolynomial& poles, int half_trace) {
         while (!difference.empty() && arithmetic_.is_zero(difference.front())) {
@@ -85,7 +86,7 @@ private:
     std::vector<SpecialPoint> points_;
 };
 
-/// Whether each of the intervals between points is stable.
+/// Returns whether each of the intervals between points is stable.
 std::vector<bool> stable_gaps(const SpecialPoints& points) {
     std::vector<bool> result;
     for (std::size_t i = 0; i <= points.size(); ++i) {
@@ -94,7 +95,8 @@ std::vector<bool> stable_gaps(const SpecialPoints& points) {
     return result;
 }
 
-/// NOTE: a point with +-I that is unstable on both sides is an interval of one point.
+/// Returns the stable intervals. NOTE: a point with +-I that is unstable on both sides is an
+/// interval of one point.
 std::vector<StabilityInterval> stable_intervals(const SpecialPoints& points,
                                                 const std::vector<bool>& gaps, long until) {
     std::vector<StabilityInterval> result;
@@ -130,7 +132,8 @@ std::vector<TouchingPoint> touching_points(const SpecialPoints& points,
     return result;
 }
 
-/// The leading coefficient of (half_trace - 1) (half_trace + 1) decides on large z.
+/// Returns the limit. The leading coefficient of (half_trace - 1) (half_trace + 1) decides on large
+/// z.
 LimitOfHalfTrace limit(const PolynomialQuotient& half_trace, PolynomialArithmetic& arithmetic) {
     const auto& [above, below] = half_trace;
     LimitOfHalfTrace result;
@@ -148,12 +151,12 @@ LimitOfHalfTrace limit(const PolynomialQuotient& half_trace, PolynomialArithmeti
     return result;
 }
 
-/// The polynomials in t that the map is made of; m12 and m21 without a factor z.
+/// Polynomials in t that the map consists of; m12 and m21 without a factor z.
 struct Parts {
     NumberPolynomial m11, m12, m21, m22, D;
 };
 
-/// By enclosures where products of exact coefficients would take minutes.
+/// Returns the parts, by enclosures where products of exact coefficients would take minutes.
 Parts parts(const OscillatorMap& map) {
     constexpr std::size_t most_terms = 200;
     Parts result{even(map.m11), odd(map.m12), odd(map.m21), even(map.m22), even(map.D)};
@@ -165,7 +168,7 @@ Parts parts(const OscillatorMap& map) {
             without_closed_form(result.D)};
 }
 
-/// Where both eigenvalues lie inside the unit circle: for the determinant d and the trace s,
+/// Places where both eigenvalues lie inside the unit circle: for the determinant d and the trace s,
 /// 1 - d > 0, 1 + d - s > 0 and 1 + d + s > 0 (Jury's conditions), here times D^2 > 0.
 class Contraction {
 public:
@@ -200,7 +203,7 @@ public:
         return result;
     }
 
-    /// For all z from some point on.
+    /// Returns whether the map contracts for all z from some point on.
     [[nodiscard]] bool contracts_at_infinity() const {
         return std::all_of(conditions_.begin(), conditions_.end(),
                            [](const NumberPolynomial& condition) {
@@ -209,7 +212,7 @@ public:
     }
 
 private:
-    /// The zeros of the conditions and of D, each once.
+    /// Appends the zeros of the conditions and of D, each once.
     void append_points(const NumberPolynomial& D) {
         std::vector<NumberPolynomial> seen{arithmetic_.squarefree(D)};
         for (NumberPolynomial factor : conditions_) {

@@ -18,7 +18,7 @@ NumberMatrix diagonal(const NumberVector& entries) {
     return result;
 }
 
-/// The columns are what x^k for k < size comes to.
+/// Returns the matrix whose columns are the images of x^k for k < size.
 template <class Image>
 NumberMatrix matrix_of(Image image, std::size_t size) {
     NumberMatrix columns;
@@ -31,7 +31,7 @@ NumberMatrix matrix_of(Image image, std::size_t size) {
     return transpose(columns);
 }
 
-/// The basis is 1, x, ..., x^(s-1) modulo P, the nodes' polynomial.
+/// Returns the functions in the basis 1, x, ..., x^(s-1) modulo P, the nodes' polynomial.
 template <class Stages>
 StageFunctions by_powers(const Stages& stages, const RationalPolynomial& P) {
     const auto s = static_cast<std::size_t>(stages.count());

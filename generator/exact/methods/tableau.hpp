@@ -1,4 +1,4 @@
-// The record that everything downstream reads: a symplectic partitioned Runge-Kutta method, exact.
+// The record that all later stages read: a symplectic partitioned Runge-Kutta method, exact.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -13,18 +13,18 @@ namespace hvi::gen {
 
 class RationalPolynomial;
 
-/// Where a method comes from.
+/// Origin of a method.
 struct Provenance {
     std::string name;               ///< `gauss:2`, or empty for one given by basis and nodes
-    std::string origin;             ///< the METHOD as the command line has it
+    std::string origin;             ///< the METHOD of the command line
     std::vector<Expression> basis;  ///< psi_1 .. psi_s, functions of tau, as they were written
 
-    /// The name, or what stands in its place.
+    /// Returns the name, or its replacement.
     [[nodiscard]] const std::string& title() const { return name.empty() ? origin : name; }
 };
 
-/// The Butcher tableaux for q and, with a tilde, for p, which have their weights in common: all
-/// that a step needs to know. Letters as in the paper; indices are 0-based.
+/// Butcher tableaux for q and, with a tilde, for p, which share their weights: all that a step
+/// needs to know. Letters as in the paper; indices are 0-based.
 struct ButcherPair {
     NumberVector c;  ///< nodes
     NumberVector b;
@@ -35,32 +35,32 @@ struct ButcherPair {
     [[nodiscard]] std::size_t stages() const { return b.size(); }
 };
 
-/// What Algorithm 4.3 makes of a basis on its way to the tableaux: b = M^-1 B and A = A_psi M^-T.
+/// Matrices of Algorithm 4.3 between a basis and the tableaux: b = M^-1 B and A = A_psi M^-T.
 struct Galerkin {
     NumberMatrix M;  ///< M[i][j] = psi_i(c_j)
     NumberMatrix M_inverse;
     NumberVector B;      ///< B[i] = integral of psi_i over [0,1]
     NumberMatrix A_psi;  ///< A_psi[i][j] = integral of psi_j over [0, c_i]
 
-    /// P over Q with the nodes for its roots, each once, when the basis spans the polynomials of
-    /// lower degree over Q: then sums over the stages are rational (see polynomial_stages.hpp).
-    /// Null otherwise.
+    /// P over Q whose roots are the nodes, each once, when the basis spans the polynomials of lower
+    /// degree over Q: then sums over the stages are rational (see polynomial_stages.hpp). Null
+    /// otherwise.
     std::shared_ptr<const RationalPolynomial> node_polynomial;
 };
 
-/// A method, with what is known of it.
+/// A method, with its known properties.
 struct Tableau : ButcherPair {
     Provenance provenance;
     std::vector<std::string> parameters;  ///< free symbols in its numbers, sorted
     std::optional<Galerkin> galerkin;  ///< empty for coefficients that Algorithm 4.3 did not make
 
-    /// Galerkin's; null where there is none.
+    /// Returns Galerkin's node polynomial; null where there is none.
     [[nodiscard]] const RationalPolynomial* node_polynomial() const {
         return galerkin ? galerkin->node_polynomial.get() : nullptr;
     }
 };
 
-/// Stable text of all numbers, for people and tests.
+/// Returns stable text of all numbers, for people and tests.
 [[nodiscard]] std::string dump(const Tableau& tableau);
 
 }  // namespace hvi::gen

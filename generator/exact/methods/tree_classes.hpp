@@ -13,15 +13,15 @@
 
 namespace hvi::gen {
 
-/// The trees of a family with 1, 2, ... vertices. With Phi_i(tau) the product over the children c
-/// of sum_j a_ij Phi_j(c) (a~_ij for a child g), a tree tau of n vertices has
+/// Trees of a family with 1, 2, ... vertices. With Phi_i(tau) the product over the children c of
+/// sum_j a_ij Phi_j(c) (a~_ij for a child g), a tree tau of n vertices has
 ///
 ///     psi(tau) = gamma(tau) Phi(tau) / n = product over the children of chi(c),
 ///     chi(tau) = n A psi(tau)   (A~ for a root g)
 ///
 /// as functions on the stages, and its order condition sum_i b_i Phi_i = 1/gamma is n b.psi = 1.
-/// Where the stages are of order n, A psi = x^n/n, all trees have psi = x^(n-1): trees with one psi
-/// are a class, and those with one chi a branch, whatever they look like.
+/// Where the stages are of order n, A psi = x^n/n, all trees have psi = x^(n-1). Trees with one psi
+/// are a class, and trees with one chi a branch, whatever their shapes are.
 ///
 /// `Stages` provides the arithmetic: NumberStages, BallStages or PolynomialStages.
 template <class Stages>
@@ -35,10 +35,10 @@ public:
           generations_(kinds_.size()),
           branches_(kinds_.size()) {}
 
-    /// The number of vertices of the last trees.
+    /// Returns the number of vertices of the last trees.
     [[nodiscard]] int vertices() const { return static_cast<int>(generations_[0].size()); }
 
-    /// How many classes the last trees fall into.
+    /// Returns the number of classes of the last trees.
     [[nodiscard]] std::size_t size() const {
         std::size_t result = 0;
         for (const auto& generations : generations_) { result += generations.back().values.size(); }
@@ -55,17 +55,17 @@ public:
         }
     }
 
-    /// The last trees with a root of this colour: psi by class.
+    /// Returns psi by class, for the last trees with a root of this colour.
     [[nodiscard]] const std::vector<Function>& values(Colour root) const {
         return generations_[kind_of(root)].back().values;
     }
 
-    /// A tree of this colour and class among the last ones.
+    /// Returns a tree of this colour and class among the last ones.
     [[nodiscard]] TreePointer representative(Colour root, std::size_t number) const {
         return representative({vertices(), root, number});
     }
 
-    /// The class of one of the last trees.
+    /// Returns the class of one of the last trees.
     [[nodiscard]] std::size_t class_of(const Tree& tree) { return place(tree); }
 
 private:
@@ -89,7 +89,7 @@ private:
         std::vector<Origin> origins;  ///< the first
     };
 
-    /// Products of functions, of which neighbours have a beginning in common.
+    /// Products of functions; neighbours share a beginning.
     class Products {
     public:
         Products(const Stages& stages, const std::vector<Function>& factors)

@@ -30,7 +30,7 @@ TreePointer graft(Colour root, std::vector<TreePointer> children) {
     std::sort(children.begin(), children.end(), comes_before);
     Tree tree;
     tree.root = root;
-    std::int64_t equal = 0;  // how many of the last children are equal
+    std::int64_t equal = 0;  // number of equal last children
     for (std::size_t i = 0; i < children.size(); ++i) {
         const Tree& child = *children[i];
         equal = i != 0 && child.text == children[i - 1]->text ? equal + 1 : 1;

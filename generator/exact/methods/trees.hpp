@@ -1,4 +1,4 @@
-// Bicoloured rooted trees: what the Taylor series of a partitioned system is summed over.
+// Bicoloured rooted trees: the Taylor series of a partitioned system is a sum over them.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -11,10 +11,10 @@
 
 namespace hvi::gen {
 
-/// What a vertex stands for: f in dq/dt = f(q, p) = dH/dp, or g in dp/dt = g(q, p) = -dH/dq.
+/// Colour of a vertex: f in dq/dt = f(q, p) = dH/dp, or g in dp/dt = g(q, p) = -dH/dq.
 enum class Colour { f, g };
 
-/// The systems that conditions are asked for.
+/// Systems that conditions are asked for.
 enum class TreeFamily {
     general,    ///< any H(q, p): all trees
     separable,  ///< H = T(p) + U(q): f depends on p alone and g on q, so neighbours differ in
@@ -30,18 +30,18 @@ struct Tree {
     Colour root = Colour::f;
     std::vector<TreePointer> children;
     int vertices = 1;
-    std::int64_t density = 1;   ///< gamma: product over the vertices of the size of what they carry
+    std::int64_t density = 1;   ///< gamma: product over the vertices of the size of their subtree
     std::int64_t symmetry = 1;  ///< sigma: the number of automorphisms
     std::string text;           ///< `f`, `f[f[f],g]`
 };
 
-/// No vertex count beyond this one: densities, symmetries and numbers of trees stay below 2^63.
+/// Limit of vertices: densities, symmetries and numbers of trees stay below 2^63.
 inline constexpr int most_vertices = 20;
 
-/// The tree of a root and subtrees in any order.
+/// Returns the tree of a root and subtrees in any order.
 [[nodiscard]] TreePointer graft(Colour root, std::vector<TreePointer> children);
 
-/// The order in which trees are listed: by root, f before g, and then by children,
+/// Returns whether a tree is listed before another: by root, f before g, and then by children,
 /// lexicographically.
 [[nodiscard]] bool comes_before(const TreePointer& left, const TreePointer& right);
 
@@ -53,16 +53,16 @@ struct Kind {
 };
 [[nodiscard]] std::vector<Kind> kinds(TreeFamily family);
 
-/// Calls `visit` with each multiset of so many items at most whose sizes add up to `total`, as
+/// Calls `visit` with each multiset of at most `most_items` items whose sizes add up to `total`, as
 /// ascending indices. Precondition: sizes ascend.
 void for_each_multiset(const std::vector<int>& sizes, int total, std::size_t most_items,
                        const std::function<void(const std::vector<std::size_t>&)>& visit);
 
-/// All trees of a family with 1, 2, ..., `vertices` vertices, each once, sorted for each number of
-/// vertices.
+/// Returns all trees of a family with 1, 2, ..., `vertices` vertices, each once, sorted for each
+/// number of vertices.
 [[nodiscard]] std::vector<std::vector<TreePointer>> trees(TreeFamily family, int vertices);
 
-/// How many trees of a family have 1, 2, ..., `vertices` vertices.
+/// Returns how many trees of a family have 1, 2, ..., `vertices` vertices.
 [[nodiscard]] std::vector<std::int64_t> tree_counts(TreeFamily family, int vertices);
 
 }  // namespace hvi::gen

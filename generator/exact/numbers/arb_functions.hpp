@@ -1,4 +1,4 @@
-// What functions.def has and Arb has not, or calls otherwise.
+// Functions of functions.def that Arb does not have, or has under other names.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -13,7 +13,8 @@ namespace hvi::gen {
 
 inline void arb_log10(arb_t y, const arb_t x, slong bits) { arb_log_base_ui(y, x, 10, bits); }
 
-/// NOTE: cbrt(-x) is -cbrt(x); of what contains 0 that is cbrt of the one end and of the other.
+/// Computes the real cube root. NOTE: cbrt(-x) is -cbrt(x); a ball that contains 0 is enclosed by
+/// the cube roots of its ends.
 inline void arb_cbrt(arb_t y, const arb_t x, slong bits) {
     if (arb_is_nonnegative(x)) {
         arb_root_ui(y, x, 3, bits);
@@ -47,7 +48,7 @@ inline void acb_log10(acb_t y, const acb_t x, slong bits) {
     arb_clear(ten);
 }
 
-/// The principal root. NOTE: that of a basis is of what is not negative.
+/// Computes the principal cube root. NOTE: that of a basis is of an argument that is not negative.
 inline void acb_cbrt(acb_t y, const acb_t x, slong bits) { acb_root_ui(y, x, 3, bits); }
 
 inline void acb_erf(acb_t y, const acb_t x, slong bits) { acb_hypgeom_erf(y, x, bits); }

@@ -8,7 +8,7 @@
 
 namespace hvi::gen {
 
-/// An enclosure: the number it stands for lies in it, whatever the working precision was.
+/// An enclosure: the enclosed number lies in it, at any working precision.
 class Ball {
 public:
     Ball() { arb_init(ball_); }
@@ -23,7 +23,7 @@ public:
     [[nodiscard]] arb_ptr get() { return ball_; }
     [[nodiscard]] arb_srcptr get() const { return ball_; }
 
-    /// -1 or 1 when every number in the ball has that sign, 0 when it contains zero.
+    /// Returns -1 or 1 when every number in the ball has that sign, 0 when it contains zero.
     [[nodiscard]] int sign() const;
 
 private:
@@ -33,15 +33,15 @@ private:
 /// Working precision in bits.
 using Precision = slong;
 
-/// Where refining begins, and where it gives up: a decision that needs more than this many bits is
-/// reported as undecided.
+/// Precisions at which refining begins, and at which it gives up: a decision that needs more than
+/// this many bits is reported as undecided.
 inline constexpr Precision first_precision = 128;
 inline constexpr Precision last_precision = 1 << 15;
 
-/// The tightest enclosure of a number that was asked for.
+/// Cache of the tightest enclosure of a number that was asked for.
 class TightestBall {
 public:
-    /// Asks `enclose` when what it remembers was made with less precision.
+    /// Returns the enclosure, and calls `enclose` when the cached one was made with less precision.
     template <class Enclose>
     [[nodiscard]] const Ball& at(Precision bits, Enclose enclose) {
         if (bits_ < bits) {
@@ -56,7 +56,7 @@ private:
     Ball ball_;
 };
 
-/// The rational given by its decimal digits, rounded outwards.
+/// Returns the rational given by its decimal digits, rounded outwards.
 [[nodiscard]] Ball ball_of_rational(const std::string& fraction, Precision bits);
 
 }  // namespace hvi::gen

@@ -9,7 +9,7 @@ namespace hvi::gen {
 
 namespace {
 
-/// By how much longer a product of two coefficients takes than one of single words.
+/// Returns how much longer a product of two coefficients takes than one of single words.
 double words(const IntegerMultivariate& a, const IntegerMultivariate& b) {
     constexpr double bits_of_a_word = 64;
     const auto bits = [](const IntegerMultivariate& polynomial) {
@@ -35,7 +35,7 @@ TooLarge::TooLarge()
 void Budget::spend(double products) {
     constexpr double units_of_product = 0.05;
     spend_work(units_of_product * products);
-    // NOTE: what a text takes, and a short sum, is there also after all was spent.
+    // NOTE: a text and a short sum remain possible after all is spent.
     constexpr double always_there = 200;
     if (products <= always_there) { return; }
     spent_ += products;

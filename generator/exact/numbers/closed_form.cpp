@@ -1,4 +1,4 @@
-// From the normal form of a field element to the expression that people read.
+// Expressions for people, from the normal form of a field element.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <algorithm>
 #include <map>
@@ -16,14 +16,14 @@ Expression power_of(const Expression& base, int exponent) {
     return exponent == 1 ? base : Expression::power(base, Expression::integer(exponent));
 }
 
-/// Whether it is a positive integer.
+/// Returns whether it is a positive integer.
 bool is_natural(const Element& element) {
     if (!element.is_rational()) return false;
     const Rational value = element.rational();
     return value.is_integer() && value.sign() > 0;
 }
 
-/// The transcendental part of a term; exponentials are collected into one, exp(1) is e.
+/// Returns the transcendental part of a term; exponentials are collected into one, exp(1) is e.
 std::vector<Expression> transcendental_factors(const std::vector<int>& powers, const Field* field) {
     std::vector<Expression> factors;
     Element exponent;
@@ -48,7 +48,7 @@ std::vector<Expression> transcendental_factors(const std::vector<int>& powers, c
 
 Expression integer_form(const Integer& value) { return Expression::rational(value.text(), "1"); }
 
-/// cos(half_turns * pi)
+/// Returns cos(half_turns * pi).
 Expression cosine_form(const Rational& half_turns) {
     std::vector<Expression> angle{Expression::symbol("pi")};
     if (half_turns.numerator() != 1) {
@@ -70,8 +70,8 @@ void append_cosines_and_sines(std::vector<Expression>& factors, const Monomial& 
     }
 }
 
-/// A factor of a product with what decides where it stands: symbols and their powers come first,
-/// then functions, each by its text.
+/// A factor of a product with the key of its place: symbols and their powers come first, then
+/// functions, each by its text.
 struct PlacedFactor {
     std::tuple<bool, std::string, std::string> place;
     Expression factor;
@@ -88,7 +88,7 @@ std::vector<PlacedFactor> with_places(std::vector<Expression> factors) {
     return placed;
 }
 
-/// The factors of both in their places.
+/// Returns the factors of both in their places.
 std::vector<Expression> in_order(const std::vector<PlacedFactor>& some,
                                  const std::vector<PlacedFactor>& others) {
     std::vector<const PlacedFactor*> ordered;
@@ -113,24 +113,25 @@ AlgebraicPart algebraic_part(const Monomial& monomial, const Field* field) {
     return {roots.factor, with_places(std::move(roots.factors))};
 }
 
-/// Makes expressions of terms. What a product of generators looks like is asked for many times, and
-/// worked out once.
+/// Makes expressions of terms. The form of a product of generators is asked for many times, and
+/// computed once.
 class Writer {
 public:
     explicit Writer(const Field* field) : field_(field) {}
 
-    /// One term with its sign; `divided_by` are powers of transcendental generators below the line.
+    /// Returns one term with its sign; `divided_by` are powers of transcendental generators below
+    /// the line.
     [[nodiscard]] Expression term(const WrittenTerm& term, const Rational& denominator,
                                   const std::vector<int>& divided_by);
     [[nodiscard]] Expression sum(const std::vector<WrittenTerm>& terms, const Rational& denominator,
                                  const std::vector<int>& divided_by);
-    /// The same with the terms in their order.
+    /// Returns the sum with the terms in their order.
     [[nodiscard]] Expression ordered_sum(const std::vector<WrittenTerm>& terms,
                                          const Rational& denominator,
                                          const std::vector<int>& divided_by);
-    /// The sum written out, or with what its terms have in common in front; the shorter.
+    /// Returns the sum written out, or with the common factor of its terms in front; the shorter.
     [[nodiscard]] Expression factored(const std::vector<WrittenTerm>& terms);
-    /// numerator/denominator under one line.
+    /// Returns numerator/denominator under one line.
     [[nodiscard]] Expression quotient(const WrittenFraction& fraction);
 
 private:
@@ -189,7 +190,7 @@ Expression Writer::ordered_sum(const std::vector<WrittenTerm>& terms, const Rati
     return Expression::sum(std::move(summands));
 }
 
-/// A sum does not begin with a minus sign where it need not: 1-cos(w), not -cos(w)+1.
+/// Writes a sum. A sum does not begin with a minus sign where it need not: 1-cos(w), not -cos(w)+1.
 Expression Writer::sum(const std::vector<WrittenTerm>& terms, const Rational& denominator,
                        const std::vector<int>& divided_by) {
     std::vector<WrittenTerm> ordered = terms;
@@ -226,9 +227,9 @@ Expression Writer::factored(const std::vector<WrittenTerm>& terms) {
     return shorter(expanded, Expression::product({term(common, 1, {}), sum(rest, 1, {})}));
 }
 
-/// NOTE: what is negative throughout has its sign in front. Else the signs above and below are
-/// chosen so that the first term above is positive, unless that made a sum below begin with a minus
-/// sign.
+/// Writes a quotient. NOTE: where all signs are negative the quotient has its sign in front.
+/// Otherwise the signs above and below are chosen so that the first term above is positive, unless
+/// that made a sum below begin with a minus sign.
 Expression Writer::quotient(const WrittenFraction& fraction) {
     WrittenFraction flipped = fraction;
     negate(flipped.numerator);
@@ -242,7 +243,7 @@ Expression Writer::quotient(const WrittenFraction& fraction) {
     return line(flips ? flipped : fraction);
 }
 
-/// The number of a parameter among the transcendental generators, or how many there are.
+/// Returns the number of a parameter among the transcendental generators, or their count.
 std::size_t index_of(const std::string& parameter, const Field* field) {
     if (field == nullptr) { return 0; }
     const auto& generators = field->transcendentals();

@@ -12,17 +12,17 @@ namespace hvi::gen {
 
 namespace {
 
-/// Powers of a generator beyond this one make expressions that nobody wants to read, and slow ones:
-/// the value is left to an enclosure.
+/// Limit of the powers of a generator. Higher powers make expressions that nobody wants to read,
+/// and slow ones: the value is left to an enclosure.
 constexpr long most_times = 128;
 
-/// Half turns pi/n are written with square roots for such n up to this one.
+/// Largest n for which half turns pi/n are written with square roots.
 constexpr long most_constructible = 24;
 
-/// The degree of cos(pi/n) over Q, for other n, up to which it becomes a generator.
+/// Largest degree of cos(pi/n) over Q, for other n, at which it becomes a generator.
 constexpr unsigned most_cosine_degree = 6;
 
-/// A function of Arb at a field element; it is only asked for where the element has a value.
+/// Returns a function of Arb at a field element. It is only called where the element has a value.
 std::function<Ball(Precision)> applied(void (*function)(arb_t, const arb_t, slong),
                                        const Element& argument) {
     return [function, argument](Precision bits) {
@@ -32,7 +32,7 @@ std::function<Ball(Precision)> applied(void (*function)(arb_t, const arb_t, slon
     };
 }
 
-/// A value of which the tightest enclosure asked for is kept.
+/// Returns a value that keeps the tightest enclosure asked for.
 std::function<Ball(Precision)> remembered(std::function<Ball(Precision)> value) {
     if (!value) return value;
     return [value = std::move(value), memory = std::make_shared<TightestBall>()](Precision bits) {
@@ -45,10 +45,11 @@ Field::CosSin product(const Field::CosSin& left, const Field::CosSin& right) {
             left.sin * right.cos + left.cos * right.sin};
 }
 
-/// The even n for which cos(pi/n) reaches the cosine and sine of an angle, see Field::cyclotomic.
+/// Returns the even n for which cos(pi/n) reaches the cosine and sine of an angle, see
+/// Field::cyclotomic.
 Integer even_denominator(const Rational& half_turns) { return lcm(half_turns.denominator(), 2); }
 
-/// cos and sin of n times an angle.
+/// Returns cos and sin of n times an angle.
 Field::CosSin times(Field::CosSin angle, long n) {
     if (n < 0) angle.sin = -angle.sin;
     Field::CosSin result{Element(1), Element()};
@@ -150,7 +151,7 @@ std::optional<Field::Multiple> Field::multiple(const std::string& key, const Rat
     return Multiple{(factor * now.denominator).to_long(), now.denominator};
 }
 
-/// p, when the unit is log(p).
+/// Returns p, when the unit is log(p).
 std::optional<long> Field::prime_of_logarithm(const Element& unit) const {
     for (std::size_t i = 0; i < transcendentals_.size(); ++i) {
         if (transcendentals_[i].prime != 0 &&
@@ -161,7 +162,7 @@ std::optional<long> Field::prime_of_logarithm(const Element& unit) const {
     return std::nullopt;
 }
 
-/// p^exponent, where square roots express it.
+/// Returns p^exponent, where square roots express it.
 std::optional<Element> Field::prime_power(long prime, const Rational& exponent) {
     const Rational doubled = exponent * 2;
     if (!doubled.is_integer() || abs(doubled) > most_times) return std::nullopt;
@@ -204,7 +205,7 @@ std::optional<Element> Field::log(const Element& argument) {
     if (!argument.is_rational()) return std::nullopt;
     const Rational value = argument.rational();
     if (value.sign() <= 0) throw MathError("the logarithm of a number that is not positive");
-    // A sum over primes, whose logarithms are independent over Q.
+    // a sum over primes, whose logarithms are independent over Q
     Element result(0, this);
     for (const auto& [part, weight] :
          {std::pair(value.numerator(), 1), std::pair(value.denominator(), -1)}) {
@@ -269,7 +270,7 @@ std::optional<Field::CosSin> Field::cos_sin_of_part(const Part& part) {
 std::optional<Field::CosSin> Field::cos_sin_of_pi(const Rational& half_turns) {
     const Integer denominator = half_turns.denominator();
     if (denominator > 10000) return std::nullopt;
-    // NOTE: cos(pi/18) and sqrt(3) are not independent; where there is a generator cos(pi/N), every
+    // NOTE: cos(pi/18) and sqrt(3) are not independent. Where there is a generator cos(pi/N), every
     // angle that it reaches is written with it.
     const auto common = denominators_.find("cos pi");
     if (common != denominators_.end() &&
@@ -282,7 +283,8 @@ std::optional<Field::CosSin> Field::cos_sin_of_pi(const Rational& half_turns) {
     return cyclotomic(half_turns);
 }
 
-/// cos(pi/n) and sin(pi/n) for n = 2^k, 3*2^k, 5*2^k, 15*2^k: by halving from a few known angles.
+/// Returns cos(pi/n) and sin(pi/n) for n = 2^k, 3*2^k, 5*2^k, 15*2^k: by halving from a few known
+/// angles.
 std::optional<Field::CosSin> Field::constructible(long n) {
     const auto rational = [this](long p, long q) { return Element(Rational(p) / q, this); };
     if (n > most_constructible) return std::nullopt;
@@ -310,7 +312,7 @@ std::optional<Field::CosSin> Field::constructible(long n) {
     return CosSin{*cosine, *sine};
 }
 
-/// Any other rational multiple of pi, as a polynomial in cos(pi/N), N even: sin(pi p/n) is
+/// Returns any other rational multiple of pi, as a polynomial in cos(pi/N), N even: sin(pi p/n) is
 /// cos(pi (n - 2p)/(2n)). All such angles of one table share N.
 std::optional<Field::CosSin> Field::cyclotomic(const Rational& half_turns) {
     const bool is_first = denominators_.find("cos pi") == denominators_.end();
@@ -320,8 +322,8 @@ std::optional<Field::CosSin> Field::cyclotomic(const Rational& half_turns) {
     const long n = common->denominator.to_long();
 
     if (angles_.find("pi") == angles_.end()) {
-        // The minimal polynomial of cos(2 pi/(2n)), or, in newer versions of FLINT, that of its
-        // double, which is monic.
+        // The minimal polynomial of cos(2 pi/(2n)), or, in newer versions of FLINT, of its double,
+        // which is monic.
         fmpz_poly_t minimal;
         fmpz_poly_init(minimal);
         arith_cos_minpoly(minimal, 2 * static_cast<ulong>(n));

@@ -9,10 +9,11 @@
 
 namespace hvi::gen {
 
-/// NOTE: of g++ and clang, no part of C++: wide enough for the 113 bits of binary128.
+/// Integer of 128 bits. NOTE: a type of g++ and clang, no part of C++: wide enough for the 113 bits
+/// of binary128.
 __extension__ using WideInteger = __int128;
 
-/// integer * 2^exponent, exactly; the integer is odd, or zero with the exponent 0.
+/// A number integer * 2^exponent, exactly; the integer is odd, or zero with the exponent 0.
 class Dyadic {
 public:
     static constexpr int most_bits = 126;
@@ -28,19 +29,20 @@ public:
     }
 
     [[nodiscard]] bool is_zero() const { return integer_ == 0; }
-    /// Odd, or zero.
+    /// Returns the integer, which is odd or zero.
     [[nodiscard]] WideInteger integer() const { return integer_; }
-    /// Of the integer.
+    /// Returns the number of bits of the integer.
     [[nodiscard]] int bits() const {
         int count = 0;
         for (WideInteger rest = integer_; rest != 0; rest /= 2) { ++count; }
         return count;
     }
-    /// The powers of two of the last and the leading bit. Precondition for the second: not zero.
+    /// Return the powers of two of the last and the leading bit. Precondition for the second: not
+    /// zero.
     [[nodiscard]] int last() const { return exponent_; }
     [[nodiscard]] int leading() const { return exponent_ + bits() - 1; }
 
-    /// Precondition: the difference has no more than most_bits bits.
+    /// Returns the difference. Precondition: it has no more than most_bits bits.
     friend Dyadic operator-(const Dyadic& a, const Dyadic& b) {
         if (a.is_zero()) { return {-b.integer_, b.exponent_}; }
         if (b.is_zero()) { return a; }
@@ -53,13 +55,13 @@ public:
     }
     friend bool operator==(const Dyadic&, const Dyadic&) = default;
 
-    /// Without all but the first `count` bits.
+    /// Returns the number with all but its first `count` bits cut off.
     [[nodiscard]] Dyadic cut(int count) const {
         const int surplus = std::max(bits() - count, 0);
         return {integer_ / (WideInteger(1) << surplus), exponent_ + surplus};
     }
 
-    /// The same number as a double. Precondition: there is one.
+    /// Returns the number as a double. Precondition: there is one.
     [[nodiscard]] double to_double() const {
         const double value = std::ldexp(static_cast<double>(integer_), exponent_);
         HVI_CHECK(bits() <= 53 && std::isfinite(value) && (value != 0.0 || is_zero()));

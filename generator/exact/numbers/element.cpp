@@ -42,8 +42,8 @@ void add(Terms& terms, const Monomial& monomial, const IntegerMultivariate& coef
     if (sum.is_zero()) { terms.erase(monomial); }
 }
 
-/// Arithmetic of polynomials within what a field may spend on it. Without a field there are
-/// rationals alone, which are free.
+/// Arithmetic of polynomials within the budget of a field. Without a field there are rationals
+/// alone, which are free.
 class Frugal {
 public:
     explicit Frugal(Field* field) : budget_(field != nullptr ? &field->budget() : nullptr) {}
@@ -91,8 +91,8 @@ Terms product(const Terms& left, const Terms& right, const Frugal& frugal) {
     return result;
 }
 
-/// The greatest common divisor of all coefficients and `other`. The shortest come first: it is
-/// often 1 after the first of them, and what is left is not looked at.
+/// Returns the greatest common divisor of all coefficients and `other`. The shortest come first:
+/// the divisor is often 1 after the first of them, and the rest is skipped.
 IntegerMultivariate common_divisor(const Terms& terms, const IntegerMultivariate& other,
                                    const Frugal& frugal) {
     std::vector<const IntegerMultivariate*> coefficients;
@@ -108,14 +108,14 @@ IntegerMultivariate common_divisor(const Terms& terms, const IntegerMultivariate
     return divisor;
 }
 
-/// Divides all by what they have in common.
+/// Divides all by their common divisor.
 void cancel(Terms& numerator, IntegerMultivariate& denominator, const Frugal& frugal) {
     const IntegerMultivariate divisor = common_divisor(numerator, denominator, frugal);
     for (auto& [monomial, coefficient] : numerator) { frugal.divide(coefficient, divisor); }
     frugal.divide(denominator, divisor);
 }
 
-/// Takes the terms with the highest power of generator `index` out that its relation applies to.
+/// Takes out the terms with the highest power of generator `index` that its relation applies to.
 std::optional<Terms> take_reducible(Terms& terms, std::size_t index, unsigned degree) {
     unsigned highest = 0;
     for (const auto& [monomial, coefficient] : terms) {
@@ -135,8 +135,8 @@ std::optional<Terms> take_reducible(Terms& terms, std::size_t index, unsigned de
     return taken;
 }
 
-/// Applies the relations until none is left that applies; the result is to be divided by what is
-/// returned, which is empty where nothing was to be done.
+/// Applies the relations until none applies. The result has to be divided by the returned divisor,
+/// which is empty where no relation applied.
 std::optional<IntegerMultivariate> reduce(Terms& terms, Field* field) {
     const Frugal frugal(field);
     std::size_t level = 0;
@@ -159,7 +159,8 @@ std::optional<IntegerMultivariate> reduce(Terms& terms, Field* field) {
 
 using RationalOperation = void (*)(fmpq_t, const fmpq_t, const fmpq_t);
 
-/// Precondition: both rational, for which FLINT's rationals are much faster.
+/// Returns the result of a rational operation. NOTE: FLINT's rationals are much faster.
+/// Precondition: both are rational.
 Element of_rationals(const Element& left, const Element& right, RationalOperation operation) {
     Rational result = left.rational();
     operation(result.get(), result.get(), right.rational().get());
@@ -325,15 +326,15 @@ std::vector<Element> Element::coefficients(std::size_t index) const {
 
 namespace {
 
-/// g^index, g the algebraic generator below `level`.
+/// Returns g^index, where g is the algebraic generator below `level`.
 Element generator_power(Field* field, std::size_t level, std::size_t index) {
     return Element::product(with_exponent({}, level - 1, static_cast<unsigned>(index)), field);
 }
 
-/// What is left of a number without its denominator and the divisor of its coefficients.
+/// A number without its denominator and the divisor of its coefficients.
 struct Primitive {
     Element part;
-    Element inverse_factor;  ///< the inverse of what the part is to be multiplied by
+    Element inverse_factor;  ///< the inverse of the factor that was left out
 };
 
 Primitive primitive(const Element& argument) {
@@ -354,9 +355,9 @@ Element inverse(const Element& argument) {
     const std::size_t level = part.level();
     Field* const field = argument.field();
     if (level == 0) { return part * inverse_factor; }  // the part is 1 or -1
-    // Multiplication by the part is a matrix over the field below its last generator g; the
-    // inverse solves that matrix times it = 1. NOTE: without a division but the last: Euclid's
-    // algorithm divides at each step, and its coefficients swell.
+    // Multiplication by the part is a matrix over the field below its last generator g; the inverse
+    // solves that matrix times it = 1. NOTE: with a single division at the end: Euclid's algorithm
+    // divides at each step, and its coefficients swell.
     const unsigned degree = field->algebraic(level - 1).degree;
     SquareMatrix<Element> multiplication(degree, std::vector<Element>(degree));
     for (unsigned k = 0; k < degree; ++k) {

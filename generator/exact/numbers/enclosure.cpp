@@ -10,7 +10,7 @@ namespace hvi::gen {
 
 namespace {
 
-/// The generators' values to some precision, and powers of them: each is computed once.
+/// Values of the generators to some precision, and powers of them: each is computed once.
 class Powers {
 public:
     Powers(const Field* field, Precision bits) : field_(field), bits_(bits) {}
@@ -41,7 +41,7 @@ private:
     Table transcendentals_, algebraics_;
 };
 
-/// A polynomial in the transcendental generators.
+/// Returns the value of a polynomial in the transcendental generators.
 Ball evaluate(const IntegerMultivariate& polynomial, Powers& powers, Precision bits) {
     Ball sum;
     for (const IntegerMultivariate::Term& term : polynomial.terms()) {

@@ -1,4 +1,4 @@
-// Numbers that doubles stand for.
+// Exact numbers of doubles.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -6,7 +6,7 @@
 
 namespace hvi::gen {
 
-/// The double, exactly. Precondition: it is finite.
+/// Returns the double, exactly. Precondition: it is finite.
 [[nodiscard]] Number exact_number(double value);
 
 }  // namespace hvi::gen

@@ -8,7 +8,7 @@
 
 namespace hvi::gen {
 
-/// A constant as a sum of doubles, the largest first, to 260 bits or so. Precondition: no
+/// Returns a constant as a sum of doubles, the largest first, to 260 bits or so. Precondition: no
 /// parameter.
 [[nodiscard]] std::array<double, 5> expansion(const Number& constant);
 

@@ -33,20 +33,20 @@ public:
 
     Element() = default;  ///< zero
     explicit Element(const Rational& rational, Field* field = nullptr);
-    /// NOTE: no constructor, to which 0 would be a pointer.
+    /// Returns a copy of a rational. NOTE: no constructor, as 0 would be a null pointer.
     [[nodiscard]] static Element copy_of(const fmpq* rational, Field* field = nullptr);
-    /// The transcendental generator x_index.
+    /// Returns the transcendental generator x_index.
     [[nodiscard]] static Element variable(std::size_t index, Field* field);
-    /// A product of powers of algebraic generators, reduced.
+    /// Returns a product of powers of algebraic generators, reduced.
     [[nodiscard]] static Element product(const Monomial& monomial, Field* field);
-    /// The sum of the numerator's terms over the denominator. Precondition: the terms are reduced,
-    /// and the denominator is not zero.
+    /// Returns the sum of the numerator's terms over the denominator. Precondition: the terms are
+    /// reduced, and the denominator is not zero.
     [[nodiscard]] static Element quotient(Terms numerator, IntegerMultivariate denominator,
                                           Field* field);
 
     [[nodiscard]] bool is_zero() const { return numerator_.empty(); }
     [[nodiscard]] bool is_rational() const;
-    [[nodiscard]] bool is_integer(long value) const;  ///< whether it is this one
+    [[nodiscard]] bool is_integer(long value) const;  ///< whether it equals this one
     [[nodiscard]] Rational rational() const;          ///< precondition: is_rational()
     void copy_to(fmpq* rational) const;               ///< precondition: is_rational()
 
@@ -59,14 +59,14 @@ public:
     friend Element operator*(const Element& left, const Element& right);
     friend Element operator-(const Element& argument);
 
-    /// Of numerator and denominator.
+    /// Returns the number of terms of numerator and denominator.
     [[nodiscard]] std::size_t term_count() const;
 
-    /// Number of algebraic generators below and including the last one that occurs.
+    /// Returns the number of algebraic generators below and including the last one that occurs.
     [[nodiscard]] std::size_t level() const;
 
-    /// The coefficients of this element as a polynomial in algebraic generator number `index`,
-    /// lowest first. Precondition: level() <= index + 1.
+    /// Returns the coefficients of this element as a polynomial in algebraic generator number
+    /// `index`, lowest first. Precondition: level() <= index + 1.
     [[nodiscard]] std::vector<Element> coefficients(std::size_t index) const;
 
 private:
@@ -75,47 +75,46 @@ private:
     IntegerMultivariate denominator_{1};
 };
 
-/// 1/argument, by norms down the tower. Precondition: not zero.
+/// Returns 1/argument, by norms down the tower. Precondition: not zero.
 [[nodiscard]] Element inverse(const Element& argument);
 
 [[nodiscard]] Element power(const Element& base, unsigned exponent);
 
-/// A generator over Q that satisfies no algebraic relation: pi, exp(1), cos(w), a parameter. The
-/// i-th of a field is the variable x_i of its polynomials.
+/// A generator over Q that satisfies no algebraic relation: pi, exp(1), cos(w), a parameter. Number
+/// i of a field is the variable x_i of its polynomials.
 struct Transcendental {
-    Expression form;                       ///< how it is written
-    bool is_parameter = false;             ///< it, or what it is made of, has no value
+    Expression form;                       ///< its written form
+    bool is_parameter = false;             ///< whether it, or a part of it, has no value
     std::function<Ball(Precision)> value;  ///< empty with is_parameter
     std::optional<Element> exponent;       ///< x, where the generator is exp(x)
     std::optional<Element> angle;          ///< x, where the generator is cos(x)
     long prime = 0;                        ///< p, where the generator is log(p)
 };
 
-/// A generator g with a monic relation g^degree = reduced over g and what lies below it: sqrt(2);
-/// sin(w) with sin(w)^2 = 1 - cos(w)^2; cos(pi/14), of degree 6.
+/// A generator g with a monic relation g^degree = reduced over g and the generators below it:
+/// sqrt(2); sin(w) with sin(w)^2 = 1 - cos(w)^2; cos(pi/14), of degree 6.
 struct Algebraic {
     enum class Kind { root, sine, cosine };
 
     Kind kind = Kind::root;
     unsigned degree = 2;
-    Element reduced;         ///< g^degree, of degree less than that in g
+    Element reduced;         ///< g^degree, of lower degree in g
     long denominator = 1;    ///< n of cos(pi/n)
-    std::size_t cosine = 0;  ///< of a sine: the number of its transcendental generator cos(x)
-    Expression form;         ///< how a root or sine is written
+    std::size_t cosine = 0;  ///< for a sine: the number of its transcendental generator cos(x)
+    Expression form;         ///< written form of a root or sine
     bool is_parameter = false;
     std::function<Ball(Precision)> value;  ///< empty with is_parameter
 };
 
-/// Of the multiples of a unit that were met, the least common denominator and the size of the
-/// largest.
+/// Multiples of a unit met so far: their least common denominator, and the size of the largest.
 struct Multiples {
     Integer denominator = 1;
     Rational largest;
 };
 
-/// The arguments met so far, by function and unit: exp(1/2) and exp(1/3) are powers of one
-/// generator exp(1/6). A Field is made for one table; an argument that does not fit throws
-/// TooCoarse, and the work starts again with the finer table.
+/// Arguments met so far, by function and unit: exp(1/2) and exp(1/3) are powers of one generator
+/// exp(1/6). A Field is made for one table; an argument that does not fit throws TooCoarse, and the
+/// work starts again with the finer table.
 using Denominators = std::map<std::string, Multiples>;
 struct TooCoarse {
     Denominators finer;
@@ -124,8 +123,8 @@ struct TooCoarse {
 /// The generators, in the order in which they were met.
 class Field {
 public:
-    /// More algebraic generators than these make the arithmetic of the normal form too slow to be
-    /// of use: what needs another one is left to enclosures.
+    /// Limit of algebraic generators. More would make the arithmetic of the normal form too slow to
+    /// be of use: values that need another one are left to enclosures.
     static constexpr std::size_t most_generators = 8;
 
     explicit Field(Denominators denominators) : denominators_(std::move(denominators)) {}
@@ -144,15 +143,16 @@ public:
     [[nodiscard]] Element pi();
     [[nodiscard]] Element parameter(const std::string& name);
 
-    /// The non-negative square root. Throws MathError for a negative argument, empty when the sign
-    /// of the argument has no meaning (free parameters) or the tower would grow too high.
+    /// Returns the non-negative square root. Throws MathError for a negative argument. Empty when
+    /// the sign of the argument has no meaning (free parameters) or the tower would grow too high.
     [[nodiscard]] std::optional<Element> sqrt(const Element& argument);
 
-    /// A root of what has none in the field, also with free parameters, where its sign has no
-    /// meaning. Empty where there is one, and when the tower would grow too high.
+    /// Returns a root of an element that has none in the field, also with free parameters, where
+    /// its sign has no meaning. Empty where there is one, and when the tower would grow too high.
     [[nodiscard]] std::optional<Element> new_root(const Element& argument);
 
-    /// Empty where the field has no exact place for the value; an enclosure serves then.
+    /// Return the value; empty where the field has no exact place for it, and an enclosure serves
+    /// instead.
     [[nodiscard]] std::optional<Element> exp(const Element& argument);
     [[nodiscard]] std::optional<Element> log(const Element& argument);
     struct CosSin {
@@ -160,18 +160,18 @@ public:
     };
     [[nodiscard]] std::optional<CosSin> cos_sin(const Element& argument);
 
-    /// Which free parameters there are, sorted by name.
+    /// Returns the free parameters, sorted by name.
     [[nodiscard]] std::vector<std::string> parameters() const;
 
 private:
-    /// rational * unit, the unit of leading sign 1 and integer content 1.
+    /// A product rational * unit, the unit of leading sign 1 and integer content 1.
     struct Part {
         Rational factor;
         Element unit;
         std::string key;  ///< the unit's text
     };
-    /// The parts of an argument, whose units are linearly independent over Q; empty where sums in
-    /// denominators hide whether they are.
+    /// Returns the parts of an argument, whose units are linearly independent over Q; empty where
+    /// sums in denominators hide whether they are.
     [[nodiscard]] std::optional<std::vector<Part>> split(const Element& argument);
     [[nodiscard]] std::optional<long> prime_of_logarithm(const Element& unit) const;
     [[nodiscard]] std::optional<Element> prime_power(long prime, const Rational& exponent);
@@ -179,7 +179,8 @@ private:
         long times;
         Integer denominator;  ///< factor = times / denominator
     };
-    /// Empty where `largest`, or what was met before, would be too high a power.
+    /// Returns the multiple; empty where `largest`, or an earlier multiple, would be too high a
+    /// power.
     [[nodiscard]] std::optional<Multiple> multiple(const std::string& key, const Rational& factor,
                                                    const Rational& largest);
     [[nodiscard]] std::optional<CosSin> cos_sin_of_pi(const Rational& half_turns);
@@ -187,7 +188,7 @@ private:
     [[nodiscard]] std::optional<CosSin> cyclotomic(const Rational& half_turns);
     [[nodiscard]] std::optional<CosSin> cos_sin_of_part(const Part& part);
 
-    /// Empty when there are as many generators as there are variables, less one for pi.
+    /// Returns a generator; empty when there are as many as there are variables, less one for pi.
     [[nodiscard]] std::optional<Element> transcendental(const std::string& key,
                                                         Transcendental generator);
     [[nodiscard]] Element adjoin(Algebraic generator);
@@ -198,41 +199,43 @@ private:
     std::vector<Transcendental> transcendentals_;
     std::vector<Algebraic> algebraics_;
     std::map<std::string, std::size_t> by_key_;  ///< index into transcendentals_
-    std::map<std::string, CosSin> angles_;       ///< generators cos and sin by the angle's text
+    std::map<std::string, CosSin> angles_;       ///< generators cos and sin, by the angle's text
 };
 
-/// Whether `argument` is a square in the field that the first `level` algebraic generators span,
-/// and its root (of either sign). Exact: adjoining the root of a non-square doubles the degree.
+/// Returns the root (of either sign) of `argument` in the field that the first `level` algebraic
+/// generators span; empty where it is no square there. Exact: adjoining the root of a non-square
+/// doubles the degree.
 [[nodiscard]] std::optional<Element> root_in_field(const Element& argument, std::size_t level);
 
-/// sqrt(argument) = factor * sqrt(radicand), the radicand with coprime integer coefficients times a
-/// square-free integer. Precondition: not zero.
+/// A root sqrt(argument) = factor * sqrt(radicand), the radicand with coprime integer coefficients
+/// times a square-free integer. Precondition: not zero.
 struct Simplified {
     Rational factor;
     Element radicand;
 };
 [[nodiscard]] Simplified simplified_root(const Element& argument);
 
-/// Whether a free parameter occurs.
+/// Returns whether a free parameter occurs.
 [[nodiscard]] bool has_parameters(const Element& argument);
 
-/// Precondition: no free parameter.
+/// Returns an enclosure. Precondition: no free parameter.
 [[nodiscard]] Ball enclosure(const Element& argument, Precision bits);
 
-/// The sign, proved: zero by the normal form, else by an enclosure. Empty where the enclosures do
-/// not decide. Precondition: no free parameter.
+/// Returns the proved sign: zero by the normal form, else by an enclosure. Empty where the
+/// enclosures do not decide. Precondition: no free parameter.
 [[nodiscard]] std::optional<int> sign(const Element& argument);
 
-/// The shortest of a few ways to write it (see closed_form.cpp).
+/// Returns the shortest of a few ways to write an element (see closed_form.cpp).
 [[nodiscard]] Expression closed_form(const Element& argument);
 
-/// A rational function of a parameter as a paper prints it: numerator and denominator written out
-/// by falling powers of the parameter, with integers for coefficients that have no common divisor,
-/// and the leading one below positive; a polynomial by rising powers, term by term.
+/// Returns a rational function of a parameter as a paper prints it. Numerator and denominator are
+/// written out by falling powers of the parameter, with integer coefficients that have no common
+/// divisor, and the leading one below positive. A polynomial is written by rising powers, term by
+/// term.
 [[nodiscard]] Expression expanded_form(const Element& argument, const std::string& parameter);
 
-/// The sign of the first coefficient in a fixed order: of x and -x one has 1 and the other -1, also
-/// with free parameters. Precondition: not zero.
+/// Returns the sign of the first coefficient in a fixed order: one of x and -x has 1 and the other
+/// -1, also with free parameters. Precondition: not zero.
 [[nodiscard]] int leading_sign(const Element& argument);
 
 }  // namespace hvi::gen

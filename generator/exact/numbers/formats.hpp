@@ -1,4 +1,4 @@
-// The formats of floating-point numbers, and the nearest numbers of each.
+// Formats of floating-point numbers, and the nearest numbers in each.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -11,11 +11,11 @@
 
 namespace hvi::gen {
 
-/// The numbers with so many bits in the mantissa. NOTE: a format has no name here, as a C++ type is
-/// one of these on one machine and another one on the next.
+/// A format: the numbers with so many bits in the mantissa. NOTE: formats have no C++ names here,
+/// as a C++ type has one of these formats on one machine and another on the next.
 struct Format {
     int bits;
-    int least, most;  ///< powers of two of the leading bit, of numbers with all bits
+    int least, most;  ///< powers of two of the leading bit, for numbers with all bits
 };
 
 inline constexpr std::array<Format, 4> formats{{
@@ -25,18 +25,18 @@ inline constexpr std::array<Format, 4> formats{{
     {113, -16382, 16383},
 }};
 
-/// One number in each of the formats; empty where the format has no such number.
+/// A number in each of the formats; empty where the format has no such number.
 using Rounded = std::array<std::optional<Dyadic>, formats.size()>;
 using RoundedMatrix = std::vector<std::vector<Rounded>>;
 
-/// The nearest number of each format, half to even. Empty beyond its range.
+/// Returns the nearest number of each format, half to even. Empty beyond its range.
 [[nodiscard]] Rounded nearest(const Number& value);
 
-/// The same, with numbers that are too small for all bits where that is nearest: for coefficients
-/// that need not be good to their last bit.
+/// Returns the nearest numbers, also among numbers that are too small for all bits: for
+/// coefficients that need not be good to their last bit.
 [[nodiscard]] Rounded nearest_or_small(const Number& value);
 
-/// Whether a product with it is exact in every format.
+/// Returns whether a product with it is exact in every format.
 [[nodiscard]] bool is_power_of_two(const Number& value);
 
 }  // namespace hvi::gen

@@ -23,7 +23,7 @@ Number by_enclosure(const Number& argument, const char* name, ArbFunction functi
     }));
 }
 
-/// What `work` finds in the field; nothing where that is too large.
+/// Returns the result of `work` in the field; empty where that is too large.
 template <class Work>
 auto within_budget(Work work) -> decltype(work()) {
     try {

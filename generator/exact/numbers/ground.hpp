@@ -1,4 +1,4 @@
-// What one derivation stands on: its field, its parameters, and the elementary functions.
+// Ground of one derivation: its field, its parameters, and the elementary functions.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -12,7 +12,7 @@
 
 namespace hvi::gen {
 
-/// Exact constants and functions of numbers; where the field has no place for a value, the result
+/// Exact constants and functions of numbers. Where the field has no place for a value, the result
 /// is a number that is known by its enclosures.
 class Ground {
 public:
@@ -22,18 +22,18 @@ public:
                                   const std::string& denominator) const;
     [[nodiscard]] Number pi() const;
 
-    /// The value given to a parameter, or the free symbol.
+    /// Returns the value given to a parameter, or the free symbol.
     [[nodiscard]] Number parameter(const std::string& name) const;
     void set_parameter(const std::string& name, Number value);
     [[nodiscard]] std::vector<std::string> free_parameters() const { return field_->parameters(); }
 
-    /// Throw MathError where the function is not real, InputError where a free parameter stands in
-    /// a place that the exact arithmetic does not reach yet.
+    /// Functions throw MathError where they are not real, and InputError where a free parameter
+    /// stands in a place that the exact arithmetic does not reach yet.
     [[nodiscard]] Number sqrt(const Number& argument) const;
-    /// A number of either sign whose square is `square`, where one has an exact place in the field:
-    /// w for w^2. For even functions of it.
+    /// Returns a number of either sign whose square is `square`, where one has an exact place in
+    /// the field: w for w^2. It serves even functions.
     [[nodiscard]] std::optional<Number> either_root(const Number& square) const;
-    /// A number whose square is `square`, a function of free parameters, of which nobody knows a
+    /// Returns a number whose square is `square`, a function of free parameters without a known
     /// sign: a generator of the field. Empty where one of the two roots is in the field already, as
     /// q is for q^2, and where the field has no place for more.
     [[nodiscard]] std::optional<Number> new_root(const Number& square) const;
@@ -49,7 +49,7 @@ private:
     std::map<std::string, Number> values_;
 };
 
-/// Runs `work`, which gets a ground on a field of its own, until that field's table of denominators
+/// Runs `work` with a ground on a field of its own, again until that field's table of denominators
 /// fits (see Denominators).
 template <class Work>
 auto on_new_ground(Work work) {
@@ -60,11 +60,10 @@ auto on_new_ground(Work work) {
     }
 }
 
-/// base^exponent by repeated squaring. Precondition: exponent >= 0.
+/// Returns base^exponent by repeated squaring. Precondition: exponent >= 0.
 [[nodiscard]] Number power(const Number& base, unsigned exponent);
 
-/// -1 or 1, the same for equal numbers and opposite for opposite ones, whatever they are.
-/// Precondition: not zero.
+/// Returns -1 or 1, equal for equal numbers and opposite for opposite ones. Precondition: not zero.
 [[nodiscard]] int canonical_sign(const Number& number);
 
 }  // namespace hvi::gen

@@ -9,7 +9,7 @@
 
 namespace hvi::gen {
 
-/// FLINT's integer.
+/// An integer of FLINT.
 class Integer {
 public:
     Integer() { fmpz_init(value_); }   ///< zero
@@ -27,14 +27,14 @@ public:
     [[nodiscard]] fmpz* get() { return value_; }
     [[nodiscard]] const fmpz* get() const { return value_; }
     [[nodiscard]] std::string text() const;
-    [[nodiscard]] long to_long() const;  ///< precondition: it is one
+    [[nodiscard]] long to_long() const;                                   ///< precondition: it fits
     [[nodiscard]] std::size_t bits() const { return fmpz_bits(value_); }  ///< of its absolute value
-    /// Whether it is a multiple of `divisor`. Precondition: the divisor is not 0.
+    /// Returns whether it is a multiple of `divisor`. Precondition: the divisor is not 0.
     [[nodiscard]] bool is_multiple_of(const Integer& divisor) const {
         return fmpz_divisible(value_, divisor.value_) != 0;
     }
 
-    /// Precondition: the divisor divides it.
+    /// Divides exactly. Precondition: the divisor divides it.
     Integer& operator/=(const Integer& divisor) {
         fmpz_divexact(value_, value_, divisor.value_);
         return *this;
@@ -52,13 +52,13 @@ public:
         return fmpz_cmp(left.value_, right.value_) <=> 0;
     }
 
-    /// The least common multiple; not negative.
+    /// Returns the least common multiple, which is not negative.
     [[nodiscard]] friend Integer lcm(const Integer& a, const Integer& b) {
         Integer result;
         fmpz_lcm(result.value_, a.value_, b.value_);
         return result;
     }
-    /// The remainder from 0 to modulus - 1. Precondition: modulus > 0.
+    /// Returns the remainder from 0 to modulus - 1. Precondition: modulus > 0.
     [[nodiscard]] friend Integer mod(const Integer& integer, const Integer& modulus) {
         Integer result;
         fmpz_mod(result.value_, integer.value_, modulus.value_);

@@ -12,8 +12,8 @@ namespace hvi::gen {
 template <class Ring>
 using SquareMatrix = std::vector<std::vector<Ring>>;  ///< rows
 
-/// The determinants of the first k columns and the k rows in `rows`, a set of bits, for all sets:
-/// by their last columns.
+/// Returns the determinants of the first k columns and the k rows in `rows`, a set of bits, for all
+/// sets, by expansion along their last columns.
 template <class Ring>
 [[nodiscard]] std::vector<Ring> minors(const SquareMatrix<Ring>& matrix) {
     const std::size_t s = matrix.size();
@@ -32,7 +32,7 @@ template <class Ring>
     return result;
 }
 
-/// How many pairs of one element of each set stand in descending order.
+/// Returns how many pairs of one element of each set stand in descending order.
 [[nodiscard]] inline std::size_t inversions(std::size_t left, std::size_t right) {
     std::size_t count = 0;
     for (; left != 0; left &= left - 1) {
@@ -44,11 +44,12 @@ template <class Ring>
 
 template <class Ring>
 struct Adjugate {
-    SquareMatrix<Ring> adjugate;  ///< times the matrix it is the determinant times the identity
+    SquareMatrix<Ring> adjugate;  ///< the matrix times it is the determinant times the identity
     Ring determinant;
 };
 
-/// From the minors of the columns before and after one, by Laplace. Takes s 2^s products, about.
+/// Returns adjugate and determinant from the minors of the columns before and after one, by
+/// Laplace. Takes about s 2^s products.
 template <class Ring>
 [[nodiscard]] Adjugate<Ring> by_minors(const SquareMatrix<Ring>& matrix) {
     const std::size_t s = matrix.size();
@@ -64,7 +65,7 @@ template <class Ring>
             if ((left & ~others) != 0) { continue; }
             const auto column = static_cast<std::size_t>(std::popcount(left));
             const std::size_t right = others ^ left;
-            const std::size_t count = s - 1 - column;  // of columns after it, which are reversed
+            const std::size_t count = s - 1 - column;  // of later columns, which are reversed
             const std::size_t sign =
                 row + column + inversions(left, right) + (count == 0 ? 0 : count * (count - 1) / 2);
             const Ring term = before[left] * after[right];

@@ -14,7 +14,8 @@ namespace hvi::gen {
 /// A polynomial in variables x_0, x_1, ...: FLINT's, with value semantics.
 class IntegerMultivariate {
 public:
-    /// Packed exponents ask for a bound; nobody reads a tableau with so many symbols.
+    /// Limit of variables, which packed exponents need; nobody reads a tableau with so many
+    /// symbols.
     static constexpr std::size_t most_variables = 32;
 
     IntegerMultivariate() { fmpz_mpoly_init(polynomial_, context()); }  ///< zero
@@ -33,23 +34,24 @@ public:
     }
     ~IntegerMultivariate() { fmpz_mpoly_clear(polynomial_, context()); }
 
-    /// x_index. Precondition: index < most_variables.
+    /// Returns x_index. Precondition: index < most_variables.
     [[nodiscard]] static IntegerMultivariate variable(std::size_t index);
 
-    /// coefficient * product of x_i^powers[i].
+    /// A term coefficient * product of x_i^powers[i].
     struct Term {
         Integer coefficient;
         std::vector<unsigned> powers;
     };
     [[nodiscard]] static IntegerMultivariate of(const Term& term);
-    /// In an order that depends on the polynomial alone; it begins with the leading term.
+    /// Returns the terms in an order that depends on the polynomial alone, beginning with the
+    /// leading term.
     [[nodiscard]] std::vector<Term> terms() const;
     [[nodiscard]] std::size_t term_count() const;
 
     friend IntegerMultivariate operator*(const IntegerMultivariate& a,
                                          const IntegerMultivariate& b);
     IntegerMultivariate& operator+=(const IntegerMultivariate& other);
-    /// Precondition: the divisor divides it.
+    /// Divides exactly. Precondition: the divisor divides it.
     IntegerMultivariate& operator/=(const IntegerMultivariate& divisor);
     void negate();
 
@@ -61,18 +63,18 @@ public:
     [[nodiscard]] int leading_sign() const;
     [[nodiscard]] Integer content() const;  ///< of the coefficients; not negative
 
-    [[nodiscard]] unsigned degree(std::size_t index) const;  ///< in x_index; of zero it is 0
+    [[nodiscard]] unsigned degree(std::size_t index) const;  ///< in x_index; 0 for zero
 
-    /// The quotient, where the divisor divides it.
+    /// Returns the quotient, where the divisor divides it.
     [[nodiscard]] std::optional<IntegerMultivariate>
     divided_by(const IntegerMultivariate& divisor) const;
 
     struct Factor;
-    /// Without its content as a product of irreducible polynomials of leading sign 1, in an order
-    /// that depends on the polynomial alone. Precondition: not zero.
+    /// Returns the polynomial without its content as a product of irreducible polynomials of
+    /// leading sign 1, in an order that depends on the polynomial alone. Precondition: not zero.
     [[nodiscard]] std::vector<Factor> factors() const;
 
-    /// A square root, where there is one.
+    /// Returns a square root, where there is one.
     [[nodiscard]] std::optional<IntegerMultivariate> square_root() const;
 
     [[nodiscard]] fmpz_mpoly_struct* get() { return polynomial_; }
@@ -83,13 +85,13 @@ private:
     fmpz_mpoly_t polynomial_;
 };
 
-/// base^exponent.
+/// A factor base^exponent.
 struct IntegerMultivariate::Factor {
     IntegerMultivariate base;
     unsigned exponent;
 };
 
-/// The greatest common divisor, content included, of leading sign 1.
+/// Returns the greatest common divisor, content included, of leading sign 1.
 [[nodiscard]] IntegerMultivariate gcd(const IntegerMultivariate& a, const IntegerMultivariate& b);
 
 [[nodiscard]] IntegerMultivariate power(const IntegerMultivariate& base, unsigned exponent);

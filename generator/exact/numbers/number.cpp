@@ -8,14 +8,15 @@ namespace hvi::gen {
 
 namespace {
 
-/// The field that two numbers share.
+/// Returns the field that two numbers share.
 std::shared_ptr<Field> common_field(const Number& left, const Number& right) {
     return left.value().field ? left.value().field : right.value().field;
 }
 
 using BallOperation = void (*)(arb_t, const arb_t, const arb_t, slong);
 
-/// NOTE: numbers with free parameters have no enclosures.
+/// Returns the result of an operation by enclosures. NOTE: numbers with free parameters have no
+/// enclosures.
 Number combine(const Number& left, const Number& right, BallOperation operation) {
     if (left.has_parameters() || right.has_parameters()) {
         throw InputError("a free parameter beside a number without closed form is not built yet",
@@ -29,8 +30,8 @@ Number combine(const Number& left, const Number& right, BallOperation operation)
     }));
 }
 
-/// What `exact` returns; where that is too large, the same by enclosures, which numbers with free
-/// parameters do not have: throws TooLarge.
+/// Returns the result of `exact`; where that is too large, the result by enclosures. Numbers with
+/// free parameters do not have these: throws TooLarge.
 template <class Exact>
 Number within_budget(const Number& left, const Number& right, Exact exact,
                      BallOperation operation) {

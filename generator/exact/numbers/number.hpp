@@ -1,4 +1,4 @@
-// Real numbers that know what they are: exact where a closed form exists, certified everywhere.
+// Real numbers: exact where a closed form exists, certified everywhere.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -23,49 +23,49 @@ public:
     friend Number operator+(const Number& left, const Number& right);
     friend Number operator-(const Number& left, const Number& right);
     friend Number operator*(const Number& left, const Number& right);
-    /// Throws MathError when `right` is zero.
+    /// Returns the quotient. Throws MathError when `right` is zero.
     friend Number operator/(const Number& left, const Number& right);
     friend Number operator-(const Number& argument);
 
-    /// Proved by the normal form when true; confirmed by an enclosure when false. Throws MathError
-    /// when neither can be had ("cannot decide").
+    /// Return an answer that is proved by the normal form when true, and confirmed by an enclosure
+    /// when false. They throw MathError when neither can be had ("cannot decide").
     [[nodiscard]] bool is_zero() const;
     [[nodiscard]] bool is_one() const;
 
-    /// The same question for those who can do without an answer: empty where no normal form proves
-    /// a zero and an enclosure of some 150 digits does not tell it from one.
+    /// Returns whether the number is zero; empty where no normal form proves a zero and an
+    /// enclosure of some 150 digits does not tell it from one.
     [[nodiscard]] std::optional<bool> known_zero() const;
 
-    /// -1, 0 or 1. Precondition: no free parameter.
+    /// Returns -1, 0 or 1. Precondition: no free parameter.
     [[nodiscard]] int sign() const;
 
-    /// Whether a free parameter is left, so that there is no decimal value.
+    /// Returns whether a free parameter is left, so that there is no decimal value.
     [[nodiscard]] bool has_parameters() const;
 
-    /// In lowest terms, with a rational denominator where it is algebraic; empty where there is
-    /// none.
+    /// Returns the closed form in lowest terms, with a rational denominator where it is algebraic;
+    /// empty where there is none.
     [[nodiscard]] std::optional<Expression> closed_form() const;
 
-    /// The same as a paper prints a rational function of this parameter: numerator and denominator
-    /// written out by its falling powers, `(h^2+6*h+12)/(h^2-6*h+12)`, and a polynomial by rising
-    /// ones.
+    /// Returns the closed form as a paper prints a rational function of this parameter: numerator
+    /// and denominator written out by its falling powers, `(h^2+6*h+12)/(h^2-6*h+12)`, and a
+    /// polynomial by rising ones.
     [[nodiscard]] std::optional<Expression> expanded_form(const std::string& parameter) const;
 
-    /// The value correctly rounded (half to even) to so many significant digits, as `0.0193...`
-    /// or `1.93...e-20`. Zero is `0`; a number that no enclosure tells from zero has no significant
-    /// digits, and is `0e-50` to 50 of them: zero to so many decimal places, which is certain.
-    /// Precondition: no free parameter.
+    /// Returns the value correctly rounded (half to even) to so many significant digits, as
+    /// `0.0193...` or `1.93...e-20`. Zero is `0`. A number that no enclosure tells from zero has no
+    /// significant digits, and is `0e-50` to 50 of them: zero to so many decimal places, which is
+    /// certain. Precondition: no free parameter.
     [[nodiscard]] std::string decimal(int digits) const;
 
-    /// The correctly rounded double. Precondition: no free parameter.
+    /// Returns the correctly rounded double. Precondition: no free parameter.
     [[nodiscard]] double nearest_double() const;
 
-    /// The number of so many significant bits that is nearest to the value (half to even), whatever
-    /// its exponent. Preconditions: no free parameter; bits <= Dyadic::most_bits.
+    /// Returns the number of so many significant bits that is nearest to the value (half to even),
+    /// whatever its exponent. Preconditions: no free parameter; bits <= Dyadic::most_bits.
     [[nodiscard]] Dyadic nearest_of(int bits) const;
 
-    /// The multiple of 2^exponent nearest to the value (half to even). Preconditions: no free
-    /// parameter, and the result is a Dyadic.
+    /// Returns the multiple of 2^exponent nearest to the value (half to even). Preconditions: no
+    /// free parameter, and the result is a Dyadic.
     [[nodiscard]] Dyadic nearest_multiple(int exponent) const;
 
     struct Value;  ///< in number_value.hpp, known to generator/exact only

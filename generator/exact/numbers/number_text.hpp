@@ -8,7 +8,7 @@
 
 namespace hvi::gen {
 
-/// The closed form, `1/2+1/6*sqrt(3)`; of a number without one 50 digits behind a `~`.
+/// Returns the closed form, `1/2+1/6*sqrt(3)`; for a number without one 50 digits behind a `~`.
 [[nodiscard]] std::string dump(const Number& number);
 
 }  // namespace hvi::gen

@@ -1,4 +1,4 @@
-// What a Number is inside: a field element, or a real number that is known by its enclosures alone.
+// The inside of a Number: a field element, or a real number that is known by its enclosures alone.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -34,8 +34,8 @@ struct Number::Value {
 
     [[nodiscard]] const Element* element() const { return std::get_if<Element>(&what); }
 
-    /// Computed once: a divisor often divides many numbers. Throws TooLarge as arithmetic of
-    /// elements does. Precondition: an element, not zero.
+    /// Returns 1/x. NOTE: computed once, as a divisor often divides many numbers. Throws TooLarge
+    /// as arithmetic of elements does. Precondition: an element, not zero.
     [[nodiscard]] const Element& inverse() const {
         if (inverse_is_too_large_) { throw TooLarge(); }
         if (!inverse_) {
@@ -46,15 +46,15 @@ struct Number::Value {
         return *inverse_;
     }
 
-    /// Written once: each format of an output and each comment of a header asks for it.
-    /// Precondition: an element.
+    /// Returns the closed form. NOTE: written once, as each format of an output and each comment of
+    /// a header asks for it. Precondition: an element.
     [[nodiscard]] const Expression& closed_form() const {
         if (!closed_form_) { closed_form_ = hvi::gen::closed_form(*element()); }
         return *closed_form_;
     }
 
-    /// Remembered: numbers share what they are made of, and are asked for a sign, for digits and
-    /// for a double. Precondition: no free parameter.
+    /// Returns an enclosure. NOTE: remembered, as numbers share their parts, and are asked for a
+    /// sign, for digits and for a double. Precondition: no free parameter.
     [[nodiscard]] Ball enclosure(Precision bits) const {
         return ball_.at(bits, [this](Precision wanted) {
             return element() != nullptr ? hvi::gen::enclosure(*element(), wanted)
@@ -72,14 +72,14 @@ private:
 [[nodiscard]] Number number(Element element, std::shared_ptr<Field> field);
 [[nodiscard]] Number number(Real real);
 
-/// Whether it is known to be this integer without any computation.
+/// Returns whether it is known to be this integer without any computation.
 [[nodiscard]] bool is_exactly(const Number& number, long integer);
 
-/// Precondition: no free parameter.
+/// Returns an enclosure. Precondition: no free parameter.
 [[nodiscard]] Ball enclosure(const Number& number, Precision bits);
 
-/// Refines until `decide`, called with a ball, returns a value; MathError "cannot decide WHAT" when
-/// the last precision does not do.
+/// Refines until `decide`, called with a ball, returns a value. Throws MathError "cannot decide
+/// WHAT" when the last precision is not sufficient.
 template <class Decide>
 auto refine(const Number& number, const char* what, Decide decide) {
     for (Precision bits = first_precision; bits <= last_precision; bits *= 2) {

@@ -1,4 +1,4 @@
-// Products of square roots, as they are written.
+// Products of square roots in written form.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -14,9 +14,10 @@ struct Radicals {
     std::vector<Expression> factors;
 };
 
-/// Two ways to write a product of roots: the rational radicands under one root and each nested one
-/// by itself, or all under one root; the shorter serves. sqrt(2)*sqrt(3) is sqrt(6), and the two
-/// conjugate radicals of gauss:4 multiply to 35*sqrt(105). Generators of other kinds are left out.
+/// Returns the shorter of two ways to write a product of roots: the rational radicands under one
+/// root and each nested one by itself, or all under one root. sqrt(2)*sqrt(3) is sqrt(6), and the
+/// two conjugate radicals of gauss:4 multiply to 35*sqrt(105). Generators of other kinds are left
+/// out.
 [[nodiscard]] Radicals radicals(const Monomial& monomial, const Field* field);
 
 }  // namespace hvi::gen

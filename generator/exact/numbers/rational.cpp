@@ -9,7 +9,7 @@ namespace hvi::gen {
 
 namespace {
 
-/// The n-th root of `7` or `2/3` when both parts are n-th powers.
+/// Returns the n-th root of `7` or `2/3` when both parts are n-th powers.
 std::optional<Number> perfect_root(const std::string& fraction, long n, const Ground& ground) {
     const Rational value = Rational::read(fraction);
     Integer above, below;
@@ -18,7 +18,7 @@ std::optional<Number> perfect_root(const std::string& fraction, long n, const Gr
     return exact ? std::optional(ground.rational(above.text(), below.text())) : std::nullopt;
 }
 
-/// The n-th root of a number > 0.
+/// Returns the n-th root of a number > 0.
 Number root(const Number& base, long n, const Ground& ground) {
     if (n == 2) return ground.sqrt(base);
     if (const auto exact = rational_root(base, n, ground)) return *exact;

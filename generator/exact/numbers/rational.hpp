@@ -9,7 +9,7 @@
 
 namespace hvi::gen {
 
-/// above / below in lowest terms, below > 0.
+/// A fraction above / below in lowest terms, below > 0.
 struct Ratio {
     long above = 0;
     long below = 1;
@@ -26,21 +26,23 @@ struct Ratio {
 [[nodiscard]] Ratio operator-(const Ratio& argument);
 [[nodiscard]] Number to_number(const Ratio& ratio);
 
-/// Whether it is an element of the field, with a normal form: equality with others is decided.
+/// Returns whether it is an element of the field, with a normal form: equality with others is
+/// decided.
 [[nodiscard]] bool is_exact(const Number& number);
 
-/// The number as `7` or `-2/3` when it is rational.
+/// Returns the number as `7` or `-2/3` when it is rational.
 [[nodiscard]] std::optional<std::string> rational_text(const Number& number);
 
-/// The number as a ratio of integers of at most nine digits.
+/// Returns the number as a ratio of integers of at most nine digits.
 [[nodiscard]] std::optional<Ratio> small_ratio(const Number& number);
 
-/// The n-th root of a rational number that is not negative, where it is rational.
+/// Returns the n-th root of a rational number that is not negative, where it is rational.
 [[nodiscard]] std::optional<Number> rational_root(const Number& number, long n,
                                                   const Ground& ground);
 
-/// base^exponent for base >= 0; exact where square roots and perfect powers do. Throws MathError
-/// for 0 to a negative power. Precondition: no free parameter unless the exponent is an integer.
+/// Returns base^exponent for base >= 0; exact where square roots and perfect powers suffice. Throws
+/// MathError for 0 to a negative power. Precondition: no free parameter unless the exponent is an
+/// integer.
 [[nodiscard]] Number power(const Number& base, const Ratio& exponent, const Ground& ground);
 
 }  // namespace hvi::gen

@@ -11,7 +11,7 @@
 
 namespace hvi::gen {
 
-/// FLINT's rational: in lowest terms, the denominator positive.
+/// A rational of FLINT: in lowest terms, the denominator positive.
 class Rational {
 public:
     Rational() { fmpq_init(value_); }    ///< zero
@@ -40,7 +40,7 @@ public:
     [[nodiscard]] bool is_integer() const { return fmpz_is_one(fmpq_denref(value_)) != 0; }
     [[nodiscard]] bool is_zero() const { return fmpq_is_zero(value_) != 0; }
     [[nodiscard]] int sign() const { return fmpq_sgn(value_); }
-    [[nodiscard]] long to_long() const;  ///< precondition: it is one
+    [[nodiscard]] long to_long() const;  ///< precondition: it is an integer that fits
 
     Rational& operator+=(const Rational& other) {
         fmpq_add(value_, value_, other.value_);
@@ -73,13 +73,13 @@ public:
         fmpq_abs(argument.value_, argument.value_);
         return argument;
     }
-    /// The largest rational of which both are multiples by integers; not negative.
+    /// Returns the largest rational of which both are multiples by integers; not negative.
     [[nodiscard]] friend Rational gcd(const Rational& a, const Rational& b) {
         Rational result;
         fmpq_gcd(result.value_, a.value_, b.value_);
         return result;
     }
-    /// Precondition: the base is not zero.
+    /// Returns base^exponent. Precondition: the base is not zero.
     [[nodiscard]] friend Rational power(const Rational& base, long exponent) {
         Rational result;
         fmpq_pow_si(result.value_, base.value_, exponent);

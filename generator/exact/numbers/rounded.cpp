@@ -14,7 +14,7 @@ namespace hvi::gen {
 
 namespace {
 
-/// Encloses [value - radius, value + radius] as well.
+/// Extends a ball to enclose [value - radius, value + radius] as well.
 void include(Ball& ball, double value, double radius, Precision bits) {
     Ball other, end;
     arb_set_d(other.get(), value);
@@ -23,7 +23,7 @@ void include(Ball& ball, double value, double radius, Precision bits) {
     arb_union(ball.get(), ball.get(), other.get(), bits);
 }
 
-/// An enclosure of radius 2^-bits, or the narrowest there is.
+/// Returns an enclosure of radius 2^-bits, or the narrowest there is.
 Ball accurate(const Number& value, Precision bits) {
     constexpr Precision spare = 128;
     Precision working = bits + spare;
@@ -37,7 +37,7 @@ Ball accurate(const Number& value, Precision bits) {
     return result;
 }
 
-/// The least n with 10^n >= the largest absolute value in a ball; empty for zero.
+/// Returns the least n with 10^n >= the largest absolute value in a ball; empty for zero.
 std::optional<long> power_of_ten_above(const Ball& ball) {
     constexpr Precision bits = 64;
     Ball largest, logarithm, ten;

@@ -10,14 +10,15 @@ namespace hvi::gen {
 
 namespace {
 
-/// Larger and smaller numbers are no coefficients, and their digits would take long.
+/// Limit of decimal exponents. Larger and smaller numbers are no coefficients, and their digits
+/// would take long.
 constexpr long most_decimal_exponent = 10000;
 
 void nearest_integer(Integer& result, const arf_t value) {
     arf_get_fmpz(result.get(), value, ARF_RND_NEAR);  // ties to even
 }
 
-/// The integer nearest to every number in the ball (half to even), if there is only one.
+/// Returns the integer nearest to every number in the ball (half to even), if there is only one.
 std::optional<Integer> only_nearest_integer(const Ball& ball) {
     arf_t lower, upper;
     arf_init(lower);
@@ -35,8 +36,8 @@ std::optional<Integer> only_nearest_integer(const Ball& ball) {
     return result;
 }
 
-/// value * base^exponent. NOTE: a rational stays exact, for it may lie half-way between two
-/// answers; of what else there is the enclosure is enough, and a product of long sums is saved.
+/// Returns value * base^exponent. NOTE: a rational stays exact, for it may lie half-way between two
+/// answers. For other numbers the enclosure is enough, and a product of long sums is saved.
 Number scaled(const Number& value, long base, long exponent) {
     const Number factor = number(Element(power(Rational(base), exponent)), nullptr);
     const Element* const element = value.value().element();
@@ -48,7 +49,7 @@ Integer nearest_integer(const Number& value) {
     return refine(value, "how to round a number", only_nearest_integer);
 }
 
-/// Precondition: as many bits as a Dyadic has.
+/// Converts an integer. Precondition: it has no more bits than a Dyadic.
 WideInteger wide(const Integer& value) {
     HVI_CHECK(fmpz_bits(value.get()) <= Dyadic::most_bits);
     Integer rest, digit;
@@ -62,7 +63,7 @@ WideInteger wide(const Integer& value) {
     return fmpz_sgn(value.get()) < 0 ? -result : result;
 }
 
-/// A number not greater than log10 of the ball's middle, and not more than two less.
+/// Returns a number not greater than log10 of the ball's middle, and not more than two less.
 long decimal_exponent(const Ball& ball) {
     fmpz_t exponent;
     fmpz_init(exponent);
@@ -77,7 +78,8 @@ long decimal_exponent(const Ball& ball) {
     return static_cast<long>(std::floor(bits * std::log10(2.0)));
 }
 
-/// The first enclosure that excludes zero, or the last there is: those of an integral end early.
+/// Returns the first enclosure that excludes zero, or the last there is: those of an integral end
+/// early.
 Ball apart_from_zero(const Number& value) {
     Ball ball = enclosure(value, first_precision);
     for (Precision bits = 2 * first_precision; ball.sign() == 0 && bits <= last_precision;
@@ -89,7 +91,7 @@ Ball apart_from_zero(const Number& value) {
     return ball;
 }
 
-/// Whether all of the ball is 0 to so many decimal places.
+/// Returns whether all of the ball is 0 to so many decimal places.
 bool is_zero_to(const Ball& ball, int places) {
     Ball scale, twice;
     arb_set_ui(scale.get(), 10);
@@ -101,7 +103,7 @@ bool is_zero_to(const Ball& ball, int places) {
     return scale.sign() < 0 && twice.sign() > 0;
 }
 
-/// d.ddd from digits and the exponent of the first one.
+/// Returns d.ddd from digits and the exponent of the first one.
 std::string place_point(const std::string& digits, long exponent) {
     const auto count = static_cast<long>(digits.size());
     if (exponent < -6 || exponent >= std::max(count, 21L)) {
@@ -130,7 +132,7 @@ std::string Number::decimal(int digits) const {
         throw MathError("a number of about 10^" + std::to_string(first_exponent) +
                         " is beyond what can be written out");
     }
-    // From an exponent that may be too small, upwards until the digits are not too many.
+    // begins with an exponent that may be too small, and goes up until the digits are not too many
     for (long exponent = first_exponent;; ++exponent) {
         const Integer scaled_value = nearest_integer(scaled(*this, 10, digits - 1 - exponent));
         std::string text = scaled_value.text();

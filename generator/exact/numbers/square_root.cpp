@@ -9,7 +9,8 @@ namespace hvi::gen {
 
 namespace {
 
-/// An integer as square * rest, as far as trial division by small primes finds squares in it.
+/// Returns an integer as square * rest, as far as trial division by small primes finds squares in
+/// it.
 std::pair<Integer, Integer> split_square(Integer integer) {
     Integer root = 1;
     for (long prime = 2; prime < 1000; ++prime) {
@@ -26,7 +27,8 @@ std::pair<Integer, Integer> split_square(Integer integer) {
     return {root * rest, 1};
 }
 
-/// The positive rational r for which argument / r has coprime integer coefficients throughout.
+/// Returns the positive rational r for which argument / r has coprime integer coefficients
+/// throughout.
 Rational content(const Element& argument) {
     Rational numerator;
     for (const auto& [monomial, coefficient] : argument.numerator()) {
@@ -45,7 +47,7 @@ Element quotient(const Element& numerator, const Element& denominator) {
     return numerator * inverse(denominator);
 }
 
-/// Of x and -x the one that is not negative.
+/// Returns x or -x, whichever is not negative.
 std::optional<Element> positive(const Element& root) {
     if (has_parameters(root)) return std::nullopt;
     const auto root_sign = sign(root);
@@ -59,7 +61,7 @@ std::optional<Element> root_in_field(const Element& argument, std::size_t level)
     if (argument.is_zero()) return argument;
     if (level == 0) {
         if (argument.level() != 0) return std::nullopt;
-        // In lowest terms a quotient is a square when both parts are.
+        // A quotient in lowest terms is a square when both parts are.
         const auto above = argument.numerator().begin()->second.square_root();
         const auto below = argument.denominator().square_root();
         if (!above || !below) { return std::nullopt; }
@@ -111,7 +113,7 @@ std::optional<Element> Field::sqrt(const Element& given) {
     if (hvi::gen::has_parameters(argument)) return std::nullopt;
 
     // sqrt(a + b g) = sqrt((a+r)/2) +- sqrt((a-r)/2) where r^2 = a^2 - b^2 g^2 exists:
-    // sqrt(2+sqrt(3)) is sqrt(6)/2 + sqrt(2)/2, which asks for simpler generators.
+    // sqrt(2+sqrt(3)) is sqrt(6)/2 + sqrt(2)/2, which needs simpler generators.
     if (const std::size_t level = argument.level();
         level != 0 && algebraics_[level - 1].degree == 2) {
         const auto parts = argument.coefficients(level - 1);

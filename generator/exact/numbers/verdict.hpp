@@ -1,4 +1,4 @@
-// Yes or no, and on what evidence.
+// Answers yes or no, with their evidence.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -9,13 +9,13 @@
 
 namespace hvi::gen {
 
-/// An answer. It is proved by exact arithmetic, or by an enclosure that excludes its contrary; one
-/// that is not proved is a yes that rests on enclosures of zero narrower than 10^-50.
+/// An answer. It is proved by exact arithmetic, or by an enclosure that excludes its contrary. An
+/// answer that is not proved is a yes that rests on enclosures of zero narrower than 10^-50.
 struct Verdict {
     bool holds = true;
     bool proved = true;
 
-    /// Both.
+    /// Returns whether both hold.
     friend Verdict operator&&(const Verdict& left, const Verdict& right) {
         if (!left.holds || !right.holds) {
             return {false, (!left.holds && left.proved) || (!right.holds && right.proved)};
@@ -24,14 +24,14 @@ struct Verdict {
     }
 };
 
-/// Whether a number is zero that lies in a ball; empty when the ball contains zero and is too wide.
+/// Returns whether a number in a ball is zero; empty when the ball contains zero and is too wide.
 [[nodiscard]] std::optional<Verdict> vanishes(const Ball& ball);
 
-/// Whether a number is zero. Throws MathError when its enclosures do not get narrow enough.
+/// Returns whether a number is zero. Throws MathError when its enclosures do not get narrow enough.
 [[nodiscard]] Verdict vanishes(const Number& number);
 
-/// Whether a number can be zero of which only some digits are known: unless its enclosure with so
-/// many bits excludes that.
+/// Returns whether a number can be zero that is known to some digits only: unless its enclosure
+/// with so many bits excludes that.
 [[nodiscard]] Verdict can_vanish(const Number& number, Precision bits);
 
 }  // namespace hvi::gen

@@ -14,9 +14,9 @@ namespace hvi::gen {
 namespace {
 
 /// Sorts terms: by degree, then by their powers of the generators, pi and parameters first, in the
-/// order of the generators' texts. NOTE: not in that in which a derivation met them, and
-/// exponentials do not count in the degree, since exp(1/2) may be the third power of exp(1/6): so
-/// that one number has one text.
+/// order of the generators' texts. NOTE: one number has one text. So the order is not that in which
+/// a derivation met the generators, and exponentials do not count in the degree, since exp(1/2) may
+/// be the third power of exp(1/6).
 class TermOrder {
 public:
     explicit TermOrder(const Field* field) : field_(field) {
@@ -79,9 +79,8 @@ void append_polynomial(std::vector<WrittenTerm>& terms, const IntegerMultivariat
     }
 }
 
-/// Powers of a cosine generator g = cos(pi/n) as cosines of multiple angles,
-/// g^k = 2^(1-k) (cos(k pi/n) + k cos((k-2) pi/n) + ...): from here on an exponent k of g stands
-/// for cos(k pi/n).
+/// Returns powers of a cosine generator g = cos(pi/n) as cosines of multiple angles, g^k = 2^(1-k)
+/// (cos(k pi/n) + k cos((k-2) pi/n) + ...): from here on an exponent k of g stands for cos(k pi/n).
 std::vector<WrittenTerm> with_multiple_angles(const std::vector<WrittenTerm>& terms,
                                               std::size_t index) {
     std::map<std::pair<std::vector<int>, Monomial>, Rational> sums;

@@ -10,7 +10,7 @@
 
 namespace hvi::gen {
 
-/// Arb's polynomials, as power series, with value semantics.
+/// A power series: Arb's polynomials, with value semantics.
 class BallSeries {
 public:
     BallSeries() { arb_poly_init(series_); }

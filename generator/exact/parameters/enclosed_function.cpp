@@ -57,7 +57,7 @@ BallSeries EnclosedFunction::at(const Ball& point, std::size_t length) const {
     return sum;
 }
 
-/// scale * (point + t).
+/// Returns scale * (point + t).
 BallSeries EnclosedFunction::line(const Ball& scale, const Ball& point) const {
     Ball constant;
     arb_mul(constant.get(), scale.get(), point.get(), bits_);
@@ -67,7 +67,7 @@ BallSeries EnclosedFunction::line(const Ball& scale, const Ball& point) const {
     return result;
 }
 
-/// w and each x and y.
+/// Returns w and each x and y.
 std::vector<BallSeries> EnclosedFunction::variables_at(const Ball& point, slong count) const {
     Ball one;
     arb_one(one.get());
@@ -89,7 +89,7 @@ std::vector<BallSeries> EnclosedFunction::variables_at(const Ball& point, slong 
     return variables;
 }
 
-/// Of w and of each x and y, from the first to the largest that occurs.
+/// Returns powers of w and of each x and y, from the first to the largest that occurs.
 EnclosedFunction::Powers EnclosedFunction::powers_at(const Ball& point, slong count) const {
     const std::vector<BallSeries> variables = variables_at(point, count);
     Powers powers(variables.size());

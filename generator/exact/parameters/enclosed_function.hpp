@@ -16,11 +16,11 @@ namespace hvi::gen {
 /// A function with its constants enclosed once.
 class EnclosedFunction {
 public:
-    /// With `majorant` every term of every series is made positive.
+    /// `majorant`: every term of every series is made positive.
     EnclosedFunction(const EntireFunction& function, const EntireGenerators& generators,
                      Precision bits, bool majorant = false);
 
-    /// The power series at `point`, which is not negative for a majorant.
+    /// Returns the power series at `point`, which is not negative for a majorant.
     [[nodiscard]] BallSeries at(const Ball& point, std::size_t length) const;
 
 private:
@@ -35,7 +35,7 @@ private:
     bool majorant_;
     std::vector<std::pair<Phase::Kind, Ball>> phases_;
     std::map<std::vector<unsigned>, Ball> terms_;  ///< coefficients of powers of w, x and y
-    std::vector<unsigned> most_;                   ///< largest power of each of them
+    std::vector<unsigned> most_;                   ///< largest power of each variable
 };
 
 }  // namespace hvi::gen

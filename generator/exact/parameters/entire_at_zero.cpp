@@ -25,7 +25,8 @@ NumberSeries truncated_product(const NumberSeries& a, const NumberSeries& b) {
     return result;
 }
 
-/// rate^n/n!, with the signs and the gaps of sin (first = 1) and cos (first = 0), or of exp.
+/// Returns rate^n/n!, with the signs and the gaps of sin (first = 1) and cos (first = 0), or of
+/// exp.
 NumberSeries phase_series(const Phase& phase, std::size_t first, std::size_t length) {
     NumberSeries result(length);
     Number term(1);
@@ -40,7 +41,7 @@ NumberSeries phase_series(const Phase& phase, std::size_t first, std::size_t len
     return result;
 }
 
-/// Of w and of the x and y of phases.
+/// Returns the series of w and of the x and y of phases.
 std::vector<NumberSeries> exact_series_of(const EntireGenerators& generators, std::size_t length) {
     NumberSeries w(length);
     if (length > 1) { w[1] = Number(1); }
@@ -57,7 +58,7 @@ std::vector<NumberSeries> exact_series_of(const EntireGenerators& generators, st
     return result;
 }
 
-/// The function as a polynomial in w and in the phases, with constants for coefficients.
+/// Returns the function as a polynomial in w and in the phases, with constants for coefficients.
 std::map<std::vector<unsigned>, Number> without_constants(const EntireFunction& function,
                                                           const EntireGenerators& generators) {
     const std::size_t variables = generators.variables();

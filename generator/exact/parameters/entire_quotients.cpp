@@ -19,7 +19,7 @@ bool same(const EntireFunction& left, const EntireFunction& right) {
                       });
 }
 
-/// Where a function stands among those known; in the end if it is new.
+/// Returns the place of a function among the known ones; a new one is added at the end.
 std::size_t place_of(std::vector<EntireFunction>& known, const EntireFunction& function) {
     const auto found = std::find_if(known.begin(), known.end(),
                                     [&](const auto& other) { return same(other, function); });
@@ -49,7 +49,8 @@ Quotient EntireQuotients::add(const Number& number) {
     return result;
 }
 
-/// Its factors become those of the quotient. NOTE: 1 + t^2 = 1/y^2 is no function of its own.
+/// Makes the factors of a denominator those of the quotient. NOTE: 1 + t^2 = 1/y^2 is no function
+/// of its own.
 EntireQuotients::Surplus EntireQuotients::divide_by(const IntegerMultivariate& denominator,
                                                     Quotient& quotient) {
     Surplus surplus(phase_count());
@@ -66,7 +67,7 @@ EntireQuotients::Surplus EntireQuotients::divide_by(const IntegerMultivariate& d
     return surplus;
 }
 
-/// Powers of y, so that numerator and denominator are of the same degree.
+/// Multiplies by powers of y, so that numerator and denominator have one degree.
 void EntireQuotients::balance(EntireFunction& numerator, const Surplus& surplus,
                               Quotient& quotient) {
     for (std::size_t p = 0; p < phase_count(); ++p) {
@@ -134,7 +135,7 @@ EntireFunction EntireQuotients::generator(std::size_t which) const {
     return {{std::move(term)}};
 }
 
-/// t^k becomes x^k y^(n-k), n the degree in t.
+/// Returns the function with x^k y^(n-k) for t^k, where n is the degree in t.
 EntireFunction EntireQuotients::homogeneous(const Element::Terms& polynomials) const {
     EntireFunction result;
     for (const auto& [algebraics, polynomial] : polynomials) {
@@ -151,7 +152,8 @@ EntireFunction EntireQuotients::homogeneous(const Element::Terms& polynomials) c
     return result;
 }
 
-/// Of all generators but the y, by those of a polynomial's variables and of algebraic numbers.
+/// Returns the powers of all generators but the y, from the powers of a polynomial's variables and
+/// of algebraic numbers.
 std::vector<unsigned> EntireQuotients::powers_of(const std::vector<unsigned>& variables,
                                                  const Monomial& algebraics) const {
     const EntireGenerators& entire = generators_.entire();
@@ -173,7 +175,7 @@ std::vector<unsigned> EntireQuotients::powers_of(const std::vector<unsigned>& va
     return result;
 }
 
-/// NOTE: w = 0 is looked at by itself.
+/// Returns whether a function has zeros. NOTE: w = 0 is treated by itself.
 bool EntireQuotients::has_zeros(const EntireFunction& function) const {
     const EntireGenerators& entire = generators_.entire();
     if (is_generator(function, EntireGenerators::w())) { return false; }

@@ -1,4 +1,4 @@
-// From numbers with a free parameter to quotients of entire functions of it.
+// Quotients of entire functions of a free parameter, from numbers that depend on it.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -9,24 +9,25 @@
 
 namespace hvi::gen {
 
-/// Collects the functions of which some numbers are quotients, each once.
+/// Collects the functions whose quotients some numbers are, each once.
 class EntireQuotients {
 public:
     /// Throws as `parametric` does, and has its preconditions.
     explicit EntireQuotients(const std::vector<Number>& numbers) : generators_(numbers) {}
 
-    /// Preconditions: one of the numbers. Its numerator counts from the first numerator on.
+    /// Returns the quotient of a number. Precondition: it is one of the numbers. Its numerator
+    /// counts from the first numerator on.
     [[nodiscard]] Quotient add(const Number& number);
 
-    /// All functions, and these quotients, that add() returned. Orders and zeros at w = 0, places
-    /// of zeros and the plan of the series are left open.
+    /// Returns all functions, and these quotients, which add() returned. Orders and zeros at w = 0,
+    /// places of zeros and the plan of the series are left open.
     [[nodiscard]] ParametricNumbers finish(std::vector<Quotient> weights,
                                            std::vector<Quotient> others) &&;
 
     [[nodiscard]] const ParameterGenerators& generators() const { return generators_; }
 
 private:
-    /// For each phase, the degree of the denominator over that of the numerator.
+    /// For each phase, the degree of the denominator less that of the numerator.
     using Surplus = std::vector<int>;
 
     [[nodiscard]] Surplus divide_by(const IntegerMultivariate& denominator, Quotient& quotient);

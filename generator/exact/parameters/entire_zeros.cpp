@@ -16,8 +16,8 @@ public:
     ZeroSearch(const EntireFunction& function, const EntireGenerators& generators)
         : function_(function, generators, bits) {}
 
-    /// Throws MathError after so many intervals that one cannot wait for the rest: some hundred are
-    /// usual.
+    /// Searches an interval. Throws MathError after so many intervals that one cannot wait for the
+    /// rest: some hundred are usual.
     void search(double low, double high) {
         constexpr double narrowest = 1e-9;
         constexpr int most_intervals = 4096;
@@ -89,14 +89,14 @@ private:
 
     EnclosedFunction function_;
     std::vector<double> zeros_;
-    int intervals_ = 0;  ///< that were looked at
+    int intervals_ = 0;  ///< number of intervals seen
 };
 
 }  // namespace
 
 std::vector<double> real_zeros(const EntireFunction& function, const EntireGenerators& generators,
                                double most) {
-    // NOTE: near 0 intervals say little of a function that vanishes there; its series does.
+    // NOTE: near 0 intervals say little about a function that vanishes there; its series does.
     constexpr int smallest = -60;
     const NearZero near_zero(function, generators);
     int at = std::ilogb(most);

@@ -42,7 +42,7 @@ std::optional<std::size_t> NearZero::needed(int at) const {
     return std::nullopt;
 }
 
-/// The sum at w = 2^at without what the first coefficients give.
+/// Returns the sum at w = 2^at without the contribution of the first coefficients.
 Ball NearZero::majorant_from(std::size_t first, int at) const {
     Ball point;
     arb_one(point.get());
@@ -56,7 +56,7 @@ Ball NearZero::majorant_from(std::size_t first, int at) const {
     return rest;
 }
 
-/// Whether it is below 2^exponent |leading w^order|/2 at w = 2^at.
+/// Returns whether a sum is below 2^exponent |leading w^order|/2 at w = 2^at.
 bool NearZero::is_below(const Ball& sum, int exponent, int at) const {
     Ball bound = half_leading_;
     arb_mul_2exp_si(bound.get(), bound.get(), exponent + at * static_cast<slong>(order_));

@@ -9,35 +9,38 @@
 
 namespace hvi::gen {
 
-/// Whether the first `order` coefficients of the series at w = 0 are zero, by normal forms.
+/// Returns whether the first `order` coefficients of the series at w = 0 are zero, by normal forms.
 [[nodiscard]] bool vanishes_at_zero(const EntireFunction& function,
                                     const EntireGenerators& generators, std::size_t order);
 
-/// One function near w = 0, and the sum of the absolute values of its terms.
+/// A function near w = 0, and the sum of the absolute values of its terms.
 class NearZero {
 public:
-    /// As many coefficients as the bounds look at one by one.
+    /// Number of coefficients that the bounds treat one by one.
     static constexpr std::size_t longest = 64;
 
     NearZero(const EntireFunction& function, const EntireGenerators& generators);
 
-    /// Of the first coefficient that is proved not to be zero.
+    /// Returns the order of the first coefficient that is proved not to be zero.
     [[nodiscard]] unsigned order() const { return order_; }
 
-    /// |f| >= |leading w^order|/2 for |w| <= 2^at: no zero but w = 0, and a bound from below.
+    /// Returns whether |f| >= |leading w^order|/2 for |w| <= 2^at: no zero but w = 0, and a bound
+    /// from below.
     [[nodiscard]] bool is_dominated(int at) const;
 
-    /// Few digits are lost where the terms are added as they are written, at w = 2^at.
+    /// Returns whether few digits are lost where the terms are added as they are written, at w =
+    /// 2^at.
     [[nodiscard]] bool is_good_as_written(int at) const {
         return is_below(majorant_from(0, at), SeriesPlan::lost_bits, at);
     }
 
-    /// Few digits are lost to the coefficients of the series, of which those below are known zeros.
+    /// Returns whether few digits are lost to the coefficients of the series, whose lower ones are
+    /// known zeros.
     [[nodiscard]] bool is_good_as_series(int at) const {
         return is_below(majorant_from(order_, at), SeriesPlan::lost_bits, at);
     }
 
-    /// How many coefficients of the series are needed, where no more than `longest` are.
+    /// Returns how many coefficients of the series are needed; empty where more than `longest` are.
     [[nodiscard]] std::optional<std::size_t> needed(int at) const;
 
 private:

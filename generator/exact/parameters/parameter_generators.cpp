@@ -102,7 +102,7 @@ void ParameterGenerators::set_parameter(std::size_t index) {
     parameter_ = index;
 }
 
-/// argument / w, which is to be a constant.
+/// Returns argument / w, which has to be a constant.
 Number ParameterGenerators::rate(const Element& argument) const {
     const Number w = exact(Element::variable(parameter_, field_.get()));
     Number result = exact(argument) / w;

@@ -14,7 +14,7 @@
 
 namespace hvi::gen {
 
-/// Which generators of a field occur in some numbers, and which of EntireGenerators they are.
+/// Generators of a field that occur in some numbers, and their places among EntireGenerators.
 class ParameterGenerators {
 public:
     /// Throws as `parametric` does, and has its preconditions.
@@ -25,15 +25,15 @@ public:
     [[nodiscard]] Number exact(Element element) const;
     [[nodiscard]] Number pi() const { return exact(field_->pi()); }
 
-    /// The variable of w in polynomials.
+    /// Returns the variable of w in polynomials.
     [[nodiscard]] std::size_t parameter_variable() const { return parameter_; }
-    /// The variables of the phases, where t = x/y.
+    /// Returns the variables of the phases, where t = x/y.
     [[nodiscard]] const std::vector<std::size_t>& phase_variables() const { return phases_; }
     [[nodiscard]] std::optional<std::size_t> phase_of(std::size_t variable) const;
     [[nodiscard]] bool is_angle(std::size_t variable) const;
     [[nodiscard]] std::vector<std::size_t> angles() const;  ///< those of phases that are angles
 
-    /// The place of a constant in EntireGenerators::constants.
+    /// Returns the place of a constant in EntireGenerators::constants.
     [[nodiscard]] std::size_t constant(std::size_t variable) const {
         return constants_.at(variable);
     }
@@ -53,7 +53,7 @@ private:
     std::shared_ptr<Field> field_;
     std::string name_;
     std::size_t parameter_ = 0;
-    std::vector<std::size_t> transcendentals_, algebraics_;  ///< that occur, sorted
+    std::vector<std::size_t> transcendentals_, algebraics_;  ///< generators that occur, sorted
     std::vector<std::size_t> phases_;
     std::map<std::size_t, std::size_t> constants_, algebraic_constants_;
     EntireGenerators entire_;

@@ -32,7 +32,7 @@ void set_orders(ParametricNumbers& numbers) {
     }
 }
 
-/// Of x, of y, or of both of a phase.
+/// Returns the zeros of x, of y, or of both of a phase, as a text.
 std::string family(const Number& half_period, bool of_sines, bool of_cosines,
                    const std::string& parameter) {
     const auto text = [](const Number& number) { return to_text(*number.closed_form()); };

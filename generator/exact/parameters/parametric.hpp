@@ -11,7 +11,7 @@
 
 namespace hvi::gen {
 
-/// What a zero of a function means for the method.
+/// Effect of a function's zero on the method.
 enum class Zero {
     harmless,  ///< there is none, or the method goes on there
     pole,      ///< a coefficient is infinite
@@ -21,10 +21,11 @@ enum class Zero {
 struct ParameterFunction {
     EntireFunction function;
     Zero zero = Zero::harmless;
-    unsigned order = 0;  ///< to which it vanishes at w = 0
+    unsigned order = 0;  ///< order to which it vanishes at w = 0
 };
 
-/// functions[numerator] / (divisor * product of functions[k]^exponents[k] over the first ones).
+/// A quotient functions[numerator] / (divisor * product of functions[k]^exponents[k] over the first
+/// functions).
 struct Quotient {
     std::size_t numerator = 0;
     Number divisor;  ///< an integer
@@ -37,7 +38,7 @@ struct Quotient {
 struct ZeroPlaces {
     Zero zero = Zero::pole;
     std::string family;          ///< `w = 3*pi*k, k = +-1, +-2, ...`, or empty
-    std::vector<double> places;  ///< up to ParametricNumbers::most_printed in size, of six digits
+    std::vector<double> places;  ///< up to ParametricNumbers::most_printed in size, with six digits
 };
 
 struct ParametricNumbers {
@@ -45,19 +46,19 @@ struct ParametricNumbers {
 
     std::string parameter;  ///< the name of w
     EntireGenerators generators;
-    std::vector<ParameterFunction> functions;  ///< those that stand in denominators come first
+    std::vector<ParameterFunction> functions;  ///< functions in denominators come first
     SeriesPlan series{};
-    Zero at_zero = Zero::harmless;  ///< what w = 0 is
-    std::vector<ZeroPlaces> zeros;  ///< without w = 0
+    Zero at_zero = Zero::harmless;  ///< kind of w = 0
+    std::vector<ZeroPlaces> zeros;  ///< zeros except w = 0
     std::vector<Quotient> weights;
     std::vector<Quotient> others;
 };
 
-/// Numbers with one free parameter in a form that can be evaluated without loss of digits:
-/// `weights` are those that must not be zero. The quotients are in lowest terms: numerator and
-/// denominator have no common divisor as polynomials in w and in the tangents of the angles, over Q
-/// and its constants. By Lindemann's theorem then no zero of a denominator that is a polynomial in
-/// one tangent over Q is one of the numerator too, but w = 0.
+/// Returns numbers with one free parameter in a form that can be evaluated without loss of digits;
+/// `weights` must not be zero. The quotients are in lowest terms: numerator and denominator have no
+/// common divisor as polynomials in w and in the tangents of the angles, over Q and its constants.
+/// By Lindemann's theorem then a zero of a denominator that is a polynomial in one tangent over Q
+/// is no zero of the numerator, except w = 0.
 ///
 /// Throws InputError for more than one parameter, and for one that stands elsewhere than in w, in
 /// sin and cos of constant multiples of w, and in exp of them. Preconditions: none of the numbers

@@ -11,14 +11,14 @@ namespace {
 
 using Polynomial = IntegerMultivariate;
 
-/// 1 + sign t^2: the numerator of cos = (1 - t^2)/(1 + t^2), and its denominator.
+/// Returns 1 + sign t^2: the numerator of cos = (1 - t^2)/(1 + t^2), and its denominator.
 Polynomial one_and_square(long sign, std::size_t t) {
     Polynomial result = Polynomial(sign) * power(Polynomial::variable(t), 2);
     result += Polynomial(1);
     return result;
 }
 
-/// A polynomial in cosines, of which each is a variable, and in sines, which stand in monomials.
+/// A polynomial in cosines, which are variables, and in sines, which stand in monomials.
 class InTangents {
 public:
     explicit InTangents(const std::vector<std::size_t>& angles) : angles_(angles) {}
@@ -37,14 +37,14 @@ public:
         }
     }
 
-    /// How often 1 + t^2 stands below.
+    /// Returns how often 1 + t^2 stands below.
     [[nodiscard]] unsigned degree(std::size_t t) const {
         unsigned degree = 0;
         for (const Summand& summand : terms_) { degree = std::max(degree, summand.degree(t)); }
         return degree;
     }
 
-    /// The numerator.
+    /// Returns the numerator.
     [[nodiscard]] Element::Terms numerator() const {
         Element::Terms result;
         for (const Summand& summand : terms_) {

@@ -1,4 +1,4 @@
-// What every generated header takes of the runtime, unless it has a copy of what it needs.
+// Includes of every generated header that carries no copy of the runtime.
 // SPDX-License-Identifier: MIT
 #pragma once
 

@@ -1,4 +1,4 @@
-// What the coefficients of a symplectic method fulfil in every format.
+// Conditions on the coefficients of a symplectic method, met exactly in every format.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -6,8 +6,8 @@
 
 namespace hvi::detail {
 
-/// m_ij + mt_ji == 1 for all entries and without rounding: b_i a~_ij + b_j a_ji = b_i b_j divided
-/// by b_i b_j, the condition for (4.18) to be symplectic.
+/// Returns whether m_ij + mt_ji == 1 for all entries and without rounding: b_i a~_ij + b_j a_ji =
+/// b_i b_j divided by b_i b_j, the condition for (4.18) to be symplectic.
 template <class Scalar, std::size_t r, std::size_t s>
 [[nodiscard]] constexpr bool complementary(const Scalar (&m)[r][s], const Scalar (&mt)[s][r]) {
     for (std::size_t i = 0; i < r; ++i) {
@@ -19,8 +19,8 @@ template <class Scalar, std::size_t r, std::size_t s>
     return true;
 }
 
-/// n_ij - n_ji == c_i - c_j for all entries and without rounding: the condition for a Nystrom
-/// method to be symplectic, divided by its weights.
+/// Returns whether n_ij - n_ji == c_i - c_j for all entries and without rounding: the condition for
+/// a Nystrom method to be symplectic, divided by its weights.
 template <class Scalar, std::size_t r>
 [[nodiscard]] constexpr bool symplectic(const Scalar (&c)[r], const Scalar (&n)[r][r]) {
     for (std::size_t i = 0; i < r; ++i) {

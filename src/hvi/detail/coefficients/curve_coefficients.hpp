@@ -1,4 +1,4 @@
-// What the coefficients of the general Galerkin form fulfil in every format.
+// Conditions on the coefficients of the general Galerkin form, met exactly in every format.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -6,8 +6,8 @@
 
 namespace hvi::detail {
 
-/// A_ij + D_ij == B_j for all entries, by which (4.6) is symplectic, and the sum of X_ij over i is
-/// B_j, by which it may be written with the P_i - p; both without rounding.
+/// Returns whether, without rounding, A_ij + D_ij == B_j for all entries and the sum of X_ij over i
+/// is B_j. By the first, (4.6) is symplectic; by the second, it may be written with the P_i - p.
 template <class Scalar, std::size_t r, std::size_t s>
 [[nodiscard]] constexpr bool symplectic_curve(const Scalar (&X)[r][s], const Scalar (&A)[r][s],
                                               const Scalar (&D)[r][s], const Scalar (&B)[s]) {

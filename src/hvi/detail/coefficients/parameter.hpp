@@ -1,4 +1,4 @@
-// The coefficients of a method at one value of its parameter, right to the last place also where
+// Coefficients of a method at one value of its parameter, right to the last place also where
 // numerator and denominator vanish together.
 // SPDX-License-Identifier: MIT
 //
@@ -18,15 +18,15 @@
 
 namespace hvi::detail {
 
-/// Two functions of the parameter w: x = sin(rate w) and y = cos(rate w), or x and y with
-/// x/y = exp(rate w), of which the larger one is 1.
+/// Two functions of the parameter w: x = sin(rate w) and y = cos(rate w), or x and y with x/y =
+/// exp(rate w), the larger of which is 1.
 struct Phase {
     enum class Kind { angle, exponential };
     Kind kind;
     Expansion rate;
 };
 
-/// The coefficient times powers of the variables: of w, then of x and y of each phase, then of the
+/// A coefficient times powers of the variables: of w, then of x and y of each phase, then of the
 /// constants.
 template <std::size_t variables>
 struct Term {
@@ -34,19 +34,19 @@ struct Term {
     std::array<unsigned char, variables> powers;
 };
 
-/// The sum of the next so many terms. At w = 0 it vanishes to exactly this order.
+/// The sum of the next `terms` terms. At w = 0 it vanishes to exactly this order.
 struct EntireFunction {
     enum class Role {
         numerator,
         pole,    ///< where it vanishes, there is no method
-        weight,  ///< where it vanishes, so does a weight
+        weight,  ///< where it vanishes, a weight vanishes
     };
     Role role;
     std::size_t terms;
     int order;
 };
 
-/// The functions of a method at one w, which hvi-gen writes down as
+/// Functions of a method at one w, which hvi-gen writes down as
 ///
 ///     struct Functions {
 ///         static constexpr std::array<Phase, P> phases;
@@ -58,7 +58,8 @@ struct EntireFunction {
 ///         static constexpr Status::Code at_zero;   // ok, or what is wrong at w = 0
 ///     };
 ///
-/// NOTE: homogeneous in x and y, an exponential function neither overflows nor is it 0 far out.
+/// NOTE: as an exponential function is homogeneous in x and y, it neither overflows nor becomes 0
+/// far out.
 template <class Functions, class Scalar>
 class AtParameter {
 public:
@@ -78,10 +79,11 @@ public:
         }
     }
 
-    /// Unless it is ok, quotient() says nothing.
+    /// Returns the status. Unless it is ok, quotient() has no meaning.
     [[nodiscard]] Status status() const { return Status(code_); }
 
-    /// functions[numerator] / (divisor functions[0]^exponents[0] functions[1]^exponents[1] ...)
+    /// Returns functions[numerator] / (divisor functions[0]^exponents[0] functions[1]^exponents[1]
+    /// ...)
     template <std::size_t n>
     [[nodiscard]] Number quotient(std::size_t numerator, double divisor,
                                   const std::array<unsigned char, n>& exponents) const {
@@ -103,7 +105,7 @@ private:
     static constexpr std::size_t variables =
         1 + 2 * Functions::phases.size() + Functions::constants.size();
     static constexpr std::size_t function_count = Functions::functions.size();
-    /// 2^20, or less where angles would be larger than sin_cos() takes: 2^22.
+    /// Returns 2^20, or less where angles would be larger than sin_cos() takes: 2^22.
     [[nodiscard]] static constexpr Work<Scalar> largest_parameter() {
         Work<Scalar> most = 4;
         for (const Phase& phase : Functions::phases) {
@@ -113,11 +115,11 @@ private:
         return 1 / (power_of_two<Work<Scalar>>(-22) * most);
     }
     static constexpr Work<Scalar> largest = largest_parameter();
-    /// A zero nearer than this, relative to w where |w| > 1, counts as one at w.
+    /// Distance of a zero, relative to w where |w| > 1, below which it counts as a zero at w.
     static constexpr Work<Scalar> nearest = power_of_two<Work<Scalar>>(-20);
 
-    /// Where the powers of each variable begin in a list of all that occur, which leaves out
-    /// power 0; and their number.
+    /// Returns where the powers of each variable begin in a list of all powers that occur, without
+    /// power 0; and the length of the list.
     [[nodiscard]] static constexpr std::array<std::size_t, variables + 1> places_of_powers() {
         std::array<std::size_t, variables + 1> begin{};
         for (std::size_t v = 0; v < variables; ++v) {
@@ -131,7 +133,7 @@ private:
     }
     static constexpr std::array<std::size_t, variables + 1> places = places_of_powers();
 
-    /// The functions, one after the other, from series of the variables.
+    /// Values of the functions, one after the other, from series of the variables.
     template <std::size_t n>
     class Expanded {
     public:
@@ -170,7 +172,7 @@ private:
         return abs(w_.hi) <= static_cast<Work<Scalar>>(Functions::switch_point);
     }
 
-    /// w as it is and the constants as they are. NOTE: the phases remain to be filled in.
+    /// Returns the series of w and of the constants. NOTE: the phases remain to be filled in.
     template <std::size_t n>
     [[nodiscard]] static std::array<Series<Number, n>, variables> start(const Number& w) {
         std::array<Series<Number, n>, variables> variable{};
@@ -251,9 +253,9 @@ private:
     Status::Code code_ = Status::Code::ok;
 };
 
-/// Rounds m and 1 - m so that they add up to 1 without rounding, as coefficients.hpp wants it: the
-/// larger one to Scalar, and from it the other one follows. False where Scalar has no such numbers,
-/// because m is huge or not a number.
+/// Rounds m and 1 - m so that they add up to 1 without rounding, as coefficients.hpp requires. The
+/// larger one is rounded to Scalar, and the other one follows from it. Returns false where Scalar
+/// has no such numbers, because m is huge or not a number.
 template <class Scalar>
 [[nodiscard]] bool round_complementary(const Pair<Work<Scalar>>& exact, Scalar& m, Scalar& mt) {
     const Pair<Work<Scalar>> rest = Pair<Work<Scalar>>{1} - exact;

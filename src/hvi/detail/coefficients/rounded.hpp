@@ -9,10 +9,10 @@
 
 namespace hvi::detail {
 
-/// The number of 24 bits is `single`, of 53 bits `hi`, of 64 bits hi + to_64, and of 113 bits
-/// hi + (to_113 + rest). hvi-gen rounds each of them from the exact value, and then writes them so
-/// that these sums are exact. NOTE: no literals of long double, which a compiler rounds once more
-/// where long double is something else, and none of __float128, which -std=c++17 refuses.
+/// Returns the number of 24 bits, `single`, of 53 bits, `hi`, of 64 bits, hi + to_64, or of 113
+/// bits, hi + (to_113 + rest). hvi-gen rounds each of them from the exact value, and writes them so
+/// that these sums are exact. NOTE: literals of long double would be rounded once more where long
+/// double is another format, and -std=c++17 refuses those of __float128.
 template <class Scalar>
 [[nodiscard]] constexpr Scalar
 rounded([[maybe_unused]] float single, [[maybe_unused]] double hi, [[maybe_unused]] double to_64,

@@ -10,7 +10,7 @@
 
 namespace hvi::detail {
 
-/// c_0 + c_1 t + ... + c_{n-1} t^{n-1}, without what follows.
+/// Truncated series c_0 + c_1 t + ... + c_{n-1} t^{n-1}.
 template <class T, std::size_t n>
 class Series {
 public:
@@ -28,7 +28,7 @@ public:
     friend Series operator*(const Series& a, const Series& b) {
         Series product;
         for (std::size_t i = 0; i < n; ++i) {
-            if (is_zero(a.c_[i])) { continue; }  // NOTE: every other one of a sine is.
+            if (is_zero(a.c_[i])) { continue; }  // NOTE: every other coefficient of a sine is zero.
             for (std::size_t j = 0; i + j < n; ++j) {
                 if (is_zero(b.c_[j])) { continue; }
                 product.c_[i + j] = product.c_[i + j] + a.c_[i] * b.c_[j];
@@ -37,7 +37,7 @@ public:
         return product;
     }
 
-    /// c_first + c_{first+1} t + ...
+    /// Returns c_first + c_{first+1} t + ...
     [[nodiscard]] T sum_from(std::size_t first, const T& t) const {
         T sum{};
         for (std::size_t j = n; j-- > first;) { sum = sum * t + c_[j]; }

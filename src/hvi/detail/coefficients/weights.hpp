@@ -12,14 +12,14 @@
 
 namespace hvi::detail {
 
-/// NOTE: not abs(), which calls the standard library: steps of kicks and drifts may be constant
-/// expressions.
+/// Returns |x|. NOTE: not abs(), which calls the standard library: steps of kicks and drifts may be
+/// constant expressions.
 template <class Scalar>
 [[nodiscard]] constexpr Scalar magnitude(Scalar x) {
     return x < 0 ? -x : x;
 }
 
-/// Whether b_i = b_{n+1-i}.
+/// Returns whether b_i = b_{n+1-i}.
 template <class Scalar>
 [[nodiscard]] constexpr bool is_symmetric(const Scalar* b, std::size_t n) {
     for (std::size_t i = 0; i < n; ++i) {
@@ -28,7 +28,8 @@ template <class Scalar>
     return true;
 }
 
-/// Whether the sum is 1 as far as rounded weights tell: that of an inconsistent method is not.
+/// Returns whether the sum is 1 up to rounding of the weights, which it is not for an inconsistent
+/// method.
 template <class Scalar>
 [[nodiscard]] constexpr bool sums_to_one(const Scalar* b, std::size_t n) {
     Scalar excess = -1;
@@ -50,20 +51,21 @@ template <class Scalar>
     return largest;
 }
 
-/// Sets n weights to h b_i, rounded to multiples of ulp(h), and so that they add up to h without rounding (where no
-/// b_i is negative) and keep the symmetry of b.
+/// Sets n weights to h b_i, rounded to multiples of ulp(h). The weights add up to h without
+/// rounding (where no b_i is negative) and keep the symmetry of b.
 ///
 /// NOTE: products that are rounded one by one add up to h (1 + delta) with the same delta in every
-/// step, by which time runs fast or slow: over 10^6 steps of the oscillator the phase of gauss:4 is
-/// off by 1e-11 with them and by 1e-14 with these. The low parts of the products, added to the
-/// remainders of the sums, mend the time, but then what a step adds is not what its stages were
-/// computed with, and the energy drifts. The method is symplectic with any weights.
+/// step, so that time runs fast or slow: over 10^6 steps of the oscillator the phase of gauss:4 is
+/// off by 1e-11 with such products and by 1e-14 with these weights. The low parts of the products,
+/// added to the remainders of the sums, would mend the time. But a step would then add other slopes
+/// than its stages were computed with, and the energy drifts. The method is symplectic with any
+/// weights.
 template <class Scalar>
 constexpr void set_weights_of_step(Scalar h, const Scalar* b, std::size_t n, Scalar* weights) {
     const Scalar size = magnitude(h);
     Scalar sum = 0;
     for (std::size_t i = 0; i < n; ++i) {
-        // NOTE: the sum of this and `size` is a multiple of ulp(h), and so is what is left.
+        // NOTE: this sum with `size` is a multiple of ulp(h), and so is the difference.
         const Scalar part = (magnitude(size * b[i]) + size) - size;
         weights[i] = (b[i] < 0) == (h < 0) ? part : -part;
         sum += weights[i];
@@ -88,10 +90,10 @@ template <class Scalar, std::size_t n>
     return weights;
 }
 
-/// The weights of a step of kicks and drifts, kept while its size stays.
+/// Weights of a step of kicks and drifts, kept while its size stays.
 ///
-/// NOTE: those of a palindrome repeat. Were they products in the step, g++ would keep each in a
-/// register until it comes again, and on few degrees of freedom the state would have to give way.
+/// NOTE: the weights of a palindrome repeat. Were they products in the step, g++ would keep each in
+/// a register until it recurs, and the state of few degrees of freedom would lose its registers.
 template <class Scalar, std::size_t kicks, std::size_t drifts>
 struct MoveWeights {
     std::array<Scalar, kicks> p{};
@@ -104,7 +106,7 @@ struct MoveWeights {
         weighed = h;
     }
 
-    Scalar weighed = 0;  ///< the step size of the weights
+    Scalar weighed = 0;  ///< step size of the weights
 };
 
 }  // namespace hvi::detail

@@ -10,10 +10,10 @@
 
 namespace hvi::detail {
 
-/// Coordinates with their momenta, and rotations R with the angular momenta L in the body: as many
-/// as a state has. Positions are the coordinates, then the R row by row, so that for n coordinates
-/// and m rotations there are n + 9 m positions and n + 3 m momenta. As ChartSpace, where the
-/// numbers are fixed.
+/// Coordinates with their momenta, and rotations R with the angular momenta L in the body, in
+/// numbers that a state decides. Positions are the coordinates, then the R row by row, so that for
+/// n coordinates and m rotations there are n + 9 m positions and n + 3 m momenta. ChartSpace is the
+/// space of fixed numbers.
 template <class Number>
 struct BodySpace {
     using Scalar = Number;
@@ -26,7 +26,7 @@ struct BodySpace {
 
     std::size_t coordinates = 0, rotations = 0, degrees_of_freedom = 0;
 
-    /// Takes the numbers of a state.
+    /// Takes the numbers of coordinates and rotations of a state.
     template <class At>
     void fit(const At& state) {
         degrees_of_freedom = state.p.size();
@@ -38,7 +38,7 @@ struct BodySpace {
         return Positions(coordinates + 9 * rotations, Number(0));
     }
 
-    /// The three numbers of a Vector that belong to rotation r.
+    /// Returns the three numbers of a Vector that belong to rotation r.
     [[nodiscard]] Vector3<Number> part(const Vector& v, std::size_t r) const {
         const std::size_t k = coordinates + 3 * r;
         return {v[k], v[k + 1], v[k + 2]};
@@ -61,8 +61,9 @@ private:
     }
 };
 
-/// The derivatives by coordinates and by turns R exp(hat eta), D_a = G : R hat(e_a), of those by
-/// coordinates and by the entries of R, G. `out` has n + 3 m numbers.
+/// Sets `out` to the derivatives by coordinates and by turns R exp(hat eta): D_a = G : R hat(e_a),
+/// where `by_entries` has the derivatives by coordinates and, as G, by the entries of R. `out` has
+/// n + 3 m numbers.
 template <class Vector>
 void by_turns(const Vector& q, const Vector& by_entries, Vector& out) {
     const std::size_t rotations = (q.size() - out.size()) / 6;

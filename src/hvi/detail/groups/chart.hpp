@@ -29,7 +29,7 @@ class ChartPoint {
 public:
     using Vector = Vector3<Scalar>;
 
-    /// At the centre R_0.
+    /// Makes the centre R_0.
     ChartPoint() : ChartPoint(Vector{}) {}
     HVI_INLINE_IN_SPACE explicit ChartPoint(const Vector& xi)
         : xi_(xi),
@@ -38,24 +38,24 @@ public:
           inverse_((c_.c3 - Scalar(2) * c_.c4) / (Scalar(2) * c_.c2)) {}
 
     [[nodiscard]] const Vector& xi() const { return xi_; }
-    /// The square of the angle that it is turned by.
+    /// Returns the square of the angle of the turn.
     [[nodiscard]] Scalar square_of_angle() const { return y_; }
 
-    /// exp(hat xi) v - v
+    /// Returns exp(hat xi) v - v.
     HVI_INLINE_IN_SPACE [[nodiscard]] Vector turned_by(const Vector& v) const {
         const Vector u = cross(xi_, v);
         return c_.c1 * u + c_.c2 * cross(xi_, u);
     }
-    /// exp(hat xi) v
+    /// Returns exp(hat xi) v.
     HVI_INLINE_IN_SPACE [[nodiscard]] Vector turned(const Vector& v) const {
         return v + turned_by(v);
     }
-    /// exp(-hat xi) v
+    /// Returns exp(-hat xi) v.
     HVI_INLINE_IN_SPACE [[nodiscard]] Vector turned_back(const Vector& v) const {
         const Vector u = cross(xi_, v);
         return v - c_.c1 * u + c_.c2 * cross(xi_, u);
     }
-    /// exp(hat xi) - 1
+    /// Returns exp(hat xi) - 1.
     HVI_INLINE_IN_SPACE [[nodiscard]] Matrix3<Scalar> turn() const {
         const Vector u = c_.c1 * xi_, v = c_.c2 * xi_;
         const Scalar xx = v[0] * xi_[0], yy = v[1] * xi_[1], zz = v[2] * xi_[2];
@@ -73,18 +73,18 @@ public:
         const Vector u = cross(xi_, v);
         return v + c_.c2 * u + c_.c3 * cross(xi_, u);
     }
-    /// T^-1 v. NOTE: c_2 is 0 at an angle of 2 pi.
+    /// Returns T^-1 v. NOTE: c_2 is 0 at an angle of 2 pi.
     HVI_INLINE_IN_SPACE [[nodiscard]] Vector T_inverse(const Vector& v) const {
         const Vector u = cross(xi_, v);
         return v + Scalar(0.5) * u + inverse_ * cross(xi_, u);
     }
-    /// T^-T v
+    /// Returns T^-T v.
     HVI_INLINE_IN_SPACE [[nodiscard]] Vector T_inverse_transposed(const Vector& v) const {
         const Vector u = cross(xi_, v);
         return v - Scalar(0.5) * u + inverse_ * cross(xi_, u);
     }
 
-    /// The gradient of L . T(xi) w by xi.
+    /// Returns the gradient of L . T(xi) w by xi.
     HVI_INLINE_IN_SPACE [[nodiscard]] Vector gradient(const Vector& L, const Vector& w) const {
         const Vector k = cross(w, L);
         const Scalar u = dot(xi_, k), a = dot(L, xi_), b = dot(w, xi_), c = dot(L, w);
@@ -93,23 +93,23 @@ public:
         return (c_.c3 * b) * L + (c_.c3 * a) * w - c_.c2 * k + along * xi_;
     }
 
-    // ---- what Newton's method asks for ----
+    // ---- for Newton's method ----
 
-    /// The matrix of d(T w) by xi.
+    /// Returns the matrix of d(T w) by xi.
     [[nodiscard]] Matrix3<Scalar> derivative_of_T(const Vector& w) const {
         return derivative_of_T(w, Scalar(1));
     }
-    /// The matrix of d(T^T L) by xi. NOTE: T^T is T at -xi.
+    /// Returns the matrix of d(T^T L) by xi. NOTE: T^T is T at -xi.
     [[nodiscard]] Matrix3<Scalar> derivative_of_T_transposed(const Vector& L) const {
         return derivative_of_T(L, Scalar(-1));
     }
-    /// The second derivatives of L . T(xi) w by xi.
+    /// Returns the second derivatives of L . T(xi) w by xi.
     [[nodiscard]] Matrix3<Scalar> hessian(const Vector& L, const Vector& w) const {
         const Vector k = cross(w, L);
         const Scalar u = dot(xi_, k), a = dot(L, xi_), b = dot(w, xi_), c = dot(L, w);
         const Scalar v = a * b - y_ * c;
         const Vector by_v = b * L + a * w - (Scalar(2) * c) * xi_;
-        // Those of c_2 and c_3 are slope + xi xi^T second.
+        // The second derivatives of c_2 and c_3 are slope + xi xi^T second.
         const Scalar second_of_c2 = Scalar(8) * c_.c6 - Scalar(5) * c_.c5 + c_.c4;
         const Scalar second_of_c3 = Scalar(15) * c_.c7 - Scalar(7) * c_.c6 + c_.c5;
         const Scalar twice = v * second_of_c3 - u * second_of_c2;
@@ -127,7 +127,7 @@ public:
     }
 
 private:
-    /// dc_k by xi is xi times these.
+    /// Return dc_k by xi without its factor xi.
     [[nodiscard]] Scalar slope_of_c2() const { return Scalar(2) * c_.c4 - c_.c3; }
     [[nodiscard]] Scalar slope_of_c3() const { return Scalar(3) * c_.c5 - c_.c4; }
 
@@ -152,7 +152,7 @@ private:
     Vector xi_;
     Scalar y_;
     AngleFunctions<Scalar> c_;
-    Scalar inverse_;  ///< T^-1 = 1 + hat xi/2 + this hat xi^2: (1 - (x/2) cot(x/2))/x^2
+    Scalar inverse_;  ///< factor of hat xi^2 in T^-1 = 1 + hat xi/2 + ...: (1 - (x/2) cot(x/2))/x^2
 };
 
 }  // namespace hvi::detail

@@ -1,4 +1,4 @@
-// What a stepper with rotations remembers from one step to the next.
+// Memory of a stepper with rotations from one step to the next.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -15,12 +15,13 @@
 
 namespace hvi::detail {
 
-/// Where the step begins, afterwards where it ended, and what rounding cut off from the sums so
-/// far: of coordinates and momenta, of the rotations, and of the angular momenta in space, R L.
+/// The start of the step, afterwards its end, and the remainders of the sums so far: of coordinates
+/// and momenta, of the rotations, and of the angular momenta in space, R L.
 ///
-/// NOTE: these are what a step adds to. L = R^T (R L) is computed from them anew at the end of each
-/// step, so that its rounding does not add up, and the R L of a free body keep their bits. As for
-/// StepMemory, a state that is not, bit for bit, where the last step ended begins without memory.
+/// NOTE: steps add to these sums. L = R^T (R L) is computed from them anew at the end of each step,
+/// so that its rounding does not add up, and the R L of a free body keeps its bits. As in
+/// StepMemory, a step from a state that is not, bit for bit, the end of the last one begins without
+/// memory.
 template <class Space>
 class ChartMemory : public Space {
 public:
@@ -28,15 +29,15 @@ public:
     using Vector = typename Space::Vector;
     using Spins = typename Space::template PerRotation<Vector3<Scalar>>;
 
-    ChartState<Space> at;         ///< of L what is in the body
-    ChartState<Space> remainder;  ///< of L what is cut off from `spins`
+    ChartState<Space> at;         ///< with L in the body
+    ChartState<Space> remainder;  ///< with the remainder of `spins` in place of L
     Spins spins{};                ///< R L, in space
     std::size_t n = Space::degrees_of_freedom;
     Scalar h = 0;
-    Scalar h_before = 0;     ///< step size that the slopes belong to; 0 when there are none
-    bool side = false;       ///< another one in each step; see Sweeps
-    bool continues = false;  ///< the step begins, bit for bit, where the last one ended
-    bool goes_on = false;    ///< and that was of the same size
+    Scalar h_before = 0;     ///< step size of the slopes; 0 when there are none
+    bool side = false;       ///< changes with each step; see Sweeps
+    bool continues = false;  ///< whether the step begins, bit for bit, where the last one ended
+    bool goes_on = false;    ///< whether the last one also had this size
 
     /// Prepares a step of size h from x. Precondition: h != 0.
     template <class State>
@@ -60,7 +61,7 @@ public:
         return {};
     }
 
-    /// The rotation R_0 exp(hat xi), and what it has in digits behind its last ones.
+    /// Returns the rotation R_0 exp(hat xi), its remainder included.
     HVI_INLINE_IN_SPACE [[nodiscard]] Matrix3<Scalar> rotated(std::size_t r,
                                                               const ChartPoint<Scalar>& xi) const {
         Matrix3<Scalar> R = Space::rotation(at.q, r);
@@ -70,7 +71,7 @@ public:
         return R;
     }
 
-    /// R exp(hat xi) for the rotation R that the last step began with.
+    /// Returns R exp(hat xi) for the rotation R at the start of the last step.
     [[nodiscard]] Matrix3<Scalar> rotated_from_start(std::size_t r,
                                                      const ChartPoint<Scalar>& xi) const {
         Matrix3<Scalar> R = start_[r];
@@ -85,7 +86,7 @@ public:
         move(at.p[k], remainder.p[k], by_p);
     }
 
-    /// Turns the body by exp(hat xi) where `by_spin` is added to R L.
+    /// Turns the body by exp(hat xi), and adds `by_spin` to R L.
     void advance_rotation(std::size_t r, const ChartPoint<Scalar>& xi,
                           const Vector3<Scalar>& by_spin) {
         const std::size_t n_q = Space::coordinates;
@@ -102,7 +103,7 @@ public:
         Space::set_part(at.p, r, transposed_times(Space::rotation(at.q, r), spins[r]));
     }
 
-    /// Ends the step: x becomes `at`, unless that is not finite.
+    /// Ends the step: sets x to `at`, unless `at` is not finite.
     template <class State>
     [[nodiscard]] Status end(State& x, int iterations) {
         if (!is_finite_state(at)) { return Status(Status::Code::not_finite, iterations); }
@@ -114,11 +115,11 @@ public:
 
     void forget() { ended_ = false; }
 
-    /// Whether `at`, `h` and the slopes are those of a step that went well.
+    /// Returns whether `at`, `h` and the slopes are those of a good step.
     [[nodiscard]] bool has_ended() const { return ended_; }
 
 private:
-    /// Goes to x, with no remainders.
+    /// Takes x as the state, with no remainders.
     template <class State>
     void take(const State& x) {
         Space::fit(x);
@@ -138,8 +139,8 @@ private:
         return finite(x.q, x.q) && finite(x.p, x.p);
     }
 
-    typename Space::template PerRotation<Matrix3<Scalar>> start_{};  ///< of the last step
-    bool ended_ = false;  ///< `at` is where a step ended well
+    typename Space::template PerRotation<Matrix3<Scalar>> start_{};  ///< start of the last step
+    bool ended_ = false;  ///< whether `at` is the end of a good step
     bool sums_are_exact_ = sums_are_exact<Scalar>();
 };
 

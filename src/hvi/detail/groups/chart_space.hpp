@@ -1,4 +1,4 @@
-// The space that a step with rotations moves in, and where its motion is.
+// The space of a step with rotations, and states in it.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -18,23 +18,23 @@ struct ChartSpace {
     static constexpr std::size_t rotations = m;
     static constexpr std::size_t degrees_of_freedom = n + 3 * m;
 
-    /// The coordinates, then the R, row by row.
+    /// Coordinates, then the R, row by row.
     using Positions = std::array<Number, n + 9 * m>;
-    /// What there is of each degree of freedom, the three of a rotation behind the coordinates.
+    /// One number for each degree of freedom. The three of a rotation follow the coordinates.
     using Vector = std::array<Number, n + 3 * m>;
 
-    /// Something for each rotation.
+    /// One T for each rotation.
     template <class T>
     using PerRotation = std::array<T, m>;
 
-    /// NOTE: arrays always have it.
+    /// NOTE: arrays always have their size.
     static constexpr bool has_fixed_size = true;
     template <class At>
     void fit(const At& /*state*/) {}
     static void set_zero(Vector& v) { v = {}; }
     [[nodiscard]] static Positions no_positions() { return Positions{}; }
 
-    /// The three numbers of a Vector that belong to rotation r.
+    /// Returns the three numbers of a Vector that belong to rotation r.
     [[nodiscard]] static Vector3<Number> part(const Vector& v, std::size_t r) {
         return {v[n + 3 * r], v[n + 3 * r + 1], v[n + 3 * r + 2]};
     }
@@ -51,7 +51,7 @@ struct ChartSpace {
     }
 };
 
-/// q, p, R and L of a motion.
+/// State: q, p, R and L.
 template <class Space>
 struct ChartState {
     typename Space::Positions q{};

@@ -15,25 +15,26 @@
 
 namespace hvi::detail {
 
-/// The discrete Hamiltonian (5.7) of Leok & Zhang in natural charts: the stages of (4.18) for
+/// The discrete Hamiltonian (5.7) of Leok & Zhang in natural charts. The stages are those of (4.18)
+/// for
 ///
 ///     H~(q, xi, p, pi; R_0) = H(q, R_0 exp(hat xi), p, T(xi)^-T pi),
 ///
-/// see ChartPoint, between (q, 0, p, pi_0) and (q_1, xi_1, p_1, pi_1), where R_0 is the rotation
-/// that the step begins at. The chart moves with it, and so H_d^+ depends on R_0 in two ways: with
-/// D the derivative of H by rotations of the body,
+/// see ChartPoint, between (q, 0, p, pi_0) and (q_1, xi_1, p_1, pi_1), where R_0 is the rotation at
+/// the start of the step. The chart moves with it, so that H_d^+ depends on R_0 in two ways. With
+/// D, the derivative of H by rotations of the body,
 ///
 ///     dexp_{xi_1}^-T pi_1 + h sum_i b_i exp(hat xi_i) D_i = L_0,     dexp_{-xi_1}^-T pi_1 = L_1,
 ///
-/// which together say that R L, the angular momentum in space, changes by the torques:
+/// These say together that the torques change R L, the angular momentum in space:
 ///
 ///     R_1 L_1 = R_0 L_0 - h sum_i b_i R_i D_i.
 ///
-/// So pi_1 = T(xi_1)^T L_1 follows from the stages, and with it pi_i = pi_1 - sum_j m_ji Lp_j.
-/// NOTE: to begin with pi_0 = L_0, as if the chart stayed, makes steps of the same order that are
-/// not symplectic, and moves the momentum map.
+/// So pi_1 = T(xi_1)^T L_1 follows from the stages, and so does pi_i = pi_1 - sum_j m_ji Lp_j.
+/// NOTE: beginning with pi_0 = L_0, as if the chart stayed, makes steps of the same order that are
+/// not symplectic and do not conserve the momentum map.
 ///
-/// In scaled form as in Stages, the three components of a rotation behind those of the coordinates:
+/// Slopes are scaled as in Stages, with the three components of a rotation behind the coordinates:
 /// Lq_i = h b_i dH~/d(p, pi) and Lp_i = -h b_i dH~/d(q, xi).
 template <class Space, std::size_t stages>
 class ChartStages : public ChartMemory<Space> {
@@ -69,15 +70,15 @@ public:
 
     // ---- starting values ----
 
-    /// What a step leaves to be extrapolated from, all of it in the body: there it goes on smoothly
-    /// from chart to chart.
+    /// Slopes that a step leaves for extrapolation, all of them in the body, where they go on
+    /// smoothly from chart to chart.
     struct StageSlopes {
         Vector by_q{}, by_p{};  ///< dH/dq and D, dH/dp and Omega
         Vector momentum{};      ///< p and L
     };
 
-    /// From those of the last step, times `last`, or from those of the last two. False where there
-    /// are none for steps of this size.
+    /// Extrapolates the slopes of the last step, times `last`, or those of the last two. Returns
+    /// false where there are none for steps of this size.
     [[nodiscard]] bool extrapolate(const Table& m, const Table& last) {
         if (!this->goes_on) { return false; }
         const auto old = slopes_;
@@ -102,7 +103,7 @@ public:
         return has_both;
     }
 
-    /// Slopes as at the start of the step, of what gradient(q, p, dHdq, dHdp) puts out.
+    /// Sets slopes as at the start of the step, by gradient(q, p, dHdq, dHdp).
     template <class Gradient>
     void predict(const Table& m, Gradient gradient) {
         StageSlopes start;
@@ -113,7 +114,7 @@ public:
         begin_with_slopes(m);
     }
 
-    /// No slopes at all: all stages are where the step begins.
+    /// Sets all slopes to zero: all stages are at the start of the step.
     void begin_without_slopes(const Table& m, const Table& mt) {
         Lq = {};
         Lp = {};
@@ -123,7 +124,7 @@ public:
         positions(m);
     }
 
-    /// All slopes times a factor; see Sweeps.
+    /// Multiplies all slopes by a factor; see Sweeps.
     void nudge(const Scalar& factor) {
         for (auto* slopes : {&Lq, &Lp}) {
             for (Vector& each : *slopes) {
@@ -134,7 +135,7 @@ public:
 
     // ---- sweeps ----
 
-    /// xi_1 = sum_i Lq_i of each rotation.
+    /// Points xi_1 = sum_i Lq_i, one for each rotation.
     using Turns = typename Space::template PerRotation<Point>;
     HVI_INLINE_IN_SPACE [[nodiscard]] Turns turns() const {
         Turns all = no_turns();
@@ -148,21 +149,22 @@ public:
         return all;
     }
 
-    /// L_1 of rotation r, from the torques of the stages and xi_1.
+    /// Returns L_1 of rotation r, from the torques of the stages and xi_1.
     [[nodiscard]] Part momentum_at_end(std::size_t r, const Point& turn) const {
         Part spin = Space::part(this->at.p, r);
         for (std::size_t i = 0; i < stages; ++i) { spin = spin - torques_[i][r]; }
         return turn.turned_back(spin);
     }
 
-    /// pi_1 from the same.
+    /// Sets pi_1 from the torques of the stages and xi_1.
     void balance(const Turns& turns) {
         for (std::size_t r = 0; r < Space::rotations; ++r) {
             Space::set_part(pi_end, r, turns[r].T_transposed(momentum_at_end(r, turns[r])));
         }
     }
 
-    /// P_i = p + (e_p + sum_j mt_ij Lp_j) and pi_i = pi_1 - sum_j m_ji Lp_j; mt_ij is 1 - m_ji.
+    /// Sets P_i = p + (e_p + sum_j mt_ij Lp_j) and pi_i = pi_1 - sum_j m_ji Lp_j; mt_ij is 1 -
+    /// m_ji.
     void momenta(const Table& m, const Table& mt) {
         Space::set_zero(change.p);
         for (std::size_t i = 0; i < stages; ++i) {
@@ -179,7 +181,8 @@ public:
         }
     }
 
-    /// Q_i = q + (e_q + sum_j m_ij Lq_j) and xi_i = sum_j m_ij Lq_j, and what belongs to them.
+    /// Sets Q_i = q + (e_q + sum_j m_ij Lq_j) and xi_i = sum_j m_ij Lq_j, with all that depends on
+    /// xi_i.
     void positions(const Table& m) {
         Space::set_zero(change.q);
         for (std::size_t i = 0; i < stages; ++i) {
@@ -195,7 +198,7 @@ public:
         }
     }
 
-    /// Both slopes of all stages, of what gradient(stage, q, p, dHdq, dHdp) puts out.
+    /// Sets both slopes of all stages, by gradient(stage, q, p, dHdq, dHdp).
     template <class Gradient>
     void slopes(Gradient gradient) {
         for (std::size_t i = 0; i < stages; ++i) {
@@ -204,8 +207,8 @@ public:
         }
     }
 
-    /// Size that the rounding of component k of the stages is compared with: of a rotation all of
-    /// its entries, and all of its angular momentum.
+    /// Return the size that the rounding of component k of the stages is compared with. For a
+    /// rotation it covers all of its entries, and all of its angular momentum.
     [[nodiscard]] Scalar size_q(std::size_t k) const {
         const bool is_flat = k < Space::coordinates;
         const std::size_t first = Space::coordinates + 9 * ((k - Space::coordinates) / 3);
@@ -229,8 +232,8 @@ public:
 
     // ---- the end ----
 
-    /// Whether all stages, and the end, are in the chart: turned by less than 2 pi. NOTE: so is
-    /// what is no number, of which another status tells.
+    /// Returns whether all stages, and the end, are in the chart: turned by less than 2 pi. NOTE:
+    /// also true of NaN, which another status reports.
     [[nodiscard]] bool is_in_chart() const {
         constexpr double most = 39.4784176;  // 4 pi^2, a little less
         bool is_in = true;
@@ -259,8 +262,8 @@ public:
 
     // ---- the curve of the last step ----
 
-    /// Where it is at tau, in parts of the step: no numbers where there is none. `bend` is by how
-    /// much the curve departs from its chord, for each slope.
+    /// Returns the position at tau, in parts of the step; NaN where there is none. `bend` is the
+    /// distance of the curve from its chord, for each slope.
     template <class... Bend>
     [[nodiscard]] Positions position(Scalar tau, const Bend&... bend) const {
         Positions q = Space::no_positions();
@@ -283,10 +286,10 @@ public:
 
     // ---- one stage, for Newton's method ----
 
-    Vector pi_end{};  ///< pi_1 behind the coordinates, where nothing is
+    Vector pi_end{};  ///< pi_1 behind the coordinates, whose places are unused
 
-    /// NOTE: made anew when it is asked for: of a gradient that takes no rotations, or some rows
-    /// of them, compilers leave out the rest.
+    /// Returns the positions of stage i. NOTE: computed when asked for: where a gradient takes no
+    /// rotations, or some rows of them, compilers leave out the rest.
     HVI_INLINE_IN_SPACE [[nodiscard]] Positions position(std::size_t i) const {
         Positions q = Space::no_positions();
         for (std::size_t k = 0; k < Space::coordinates; ++k) { q[k] = x_[i][k]; }
@@ -299,7 +302,7 @@ public:
     [[nodiscard]] const Point& point(std::size_t i, std::size_t r) const { return points_[i][r]; }
 
 private:
-    /// Makes room for as many numbers as there are.
+    /// Makes room for the numbers of coordinates and rotations.
     void fit_stages() {
         if (points_[0].size() == Space::rotations && Lq[0].size() == Space::degrees_of_freedom) {
             return;
@@ -339,7 +342,7 @@ private:
         return sum;
     }
 
-    /// sum_j N_ij (h b_j) of these, by h b_i.
+    /// Adds sum_j N_ij (h b_j) from_j / weight, where the weight is h b_i.
     void add(StageSlopes& to, const Scalar (&row)[stages],
              const std::array<StageSlopes, stages>& from, const Scalar& weight) const {
         for (std::size_t j = 0; j < stages; ++j) {
@@ -352,8 +355,8 @@ private:
         }
     }
 
-    /// Sets Lq, Lp and torques from slopes. NOTE: xi_i as if w were Omega, which is good enough for
-    /// a beginning.
+    /// Sets Lq, Lp and torques from slopes. NOTE: xi_i is set as if w were Omega, which is good
+    /// enough to begin with.
     void begin_with_slopes(const Table& m) {
         for (std::size_t i = 0; i < stages; ++i) {
             for (std::size_t r = 0; r < Space::rotations; ++r) {
@@ -367,7 +370,7 @@ private:
         for (std::size_t i = 0; i < stages; ++i) { set_slopes(i); }
     }
 
-    /// Where x_ and y_ of a stage are in the space.
+    /// Sets the position and the momentum of a stage from x_ and y_.
     HVI_INLINE_IN_SPACE void set_place(std::size_t i) {
         for (std::size_t k = 0; k < Space::coordinates; ++k) { slopes_[i].momentum[k] = y_[i][k]; }
         for (std::size_t r = 0; r < Space::rotations; ++r) {
@@ -400,7 +403,7 @@ private:
     std::array<Turns, stages> points_{};
     std::array<typename Space::template PerRotation<Part>, stages> torques_{};
     Scalar weighed_ = 0;              ///< the step size of hb
-    bool has_slopes_before_ = false;  ///< of a step of the same size, that led to the last
+    bool has_slopes_before_ = false;  ///< of a step of the same size, before the last one
 };
 
 }  // namespace hvi::detail

@@ -9,9 +9,9 @@
 
 namespace hvi::detail {
 
-/// The equations of all stages of a System, which offers gradient(q, p, dHdq, dHdp) and, for
-/// Newton's method, d2Hdq2, d2Hdqdp and d2Hdp2, where what belongs to a rotation is by turns of the
-/// body. `Clocks`: the one whose times these functions take behind q and p, or none.
+/// Equations of all stages of a System, which offers gradient(q, p, dHdq, dHdp) and, for Newton's
+/// method, d2Hdq2, d2Hdqdp and d2Hdp2. Derivatives by rotations are by turns of the body. `Clocks`:
+/// the clock whose times these functions take behind q and p, or none.
 template <class System, class AllStages, class... Clocks>
 class CoupledCharts {
 public:
@@ -43,7 +43,7 @@ public:
 
     void nudge(const typename Stages::Scalar& factor) { s.nudge(factor); }
 
-    /// Of stage i, into matrices of zeros.
+    /// Adds second derivatives at stage i to matrices of zeros.
     template <class Matrix>
     void second_derivatives(std::size_t i, Matrix& Hqq, Matrix& Hqp, Matrix& Hpp) const {
         const auto& q = s.position(i);
@@ -59,7 +59,7 @@ public:
     [[nodiscard]] auto size_p(std::size_t k) const { return s.size_p(k); }
 
 private:
-    /// Calls f with the time of stage i, or with nothing.
+    /// Calls f with the time of stage i, or without it where there is no clock.
     template <class F>
     void with_time(std::size_t i, F f) const {
         std::apply([&]([[maybe_unused]] const auto&... clocks) { f(clocks.t[i]...); }, clocks_);

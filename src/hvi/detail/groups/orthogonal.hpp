@@ -1,4 +1,4 @@
-// How near a matrix is to a rotation, and the way back.
+// Distance of a matrix from rotations, and its correction.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -9,7 +9,7 @@
 
 namespace hvi::detail {
 
-/// R^T R - 1, which is symmetric.
+/// Returns R^T R - 1, which is symmetric.
 template <class Scalar>
 [[nodiscard]] constexpr Matrix3<Scalar> orthogonality_defect(const Matrix3<Scalar>& R) {
     Matrix3<Scalar> E{};
@@ -23,9 +23,9 @@ template <class Scalar>
     return E;
 }
 
-/// -R E/2, for E = R^T R - 1: R plus this is orthogonal but for E^2. It commutes with rotations
-/// from the left, as an equivariant step must, and E being symmetric it turns R by no more than
-/// E^2.
+/// Returns -R E/2, for E = R^T R - 1: R plus this is orthogonal but for E^2. The correction
+/// commutes with rotations from the left, as an equivariant step must. As E is symmetric, it turns
+/// R by no more than E^2.
 template <class Scalar>
 [[nodiscard]] constexpr Matrix3<Scalar> way_to_rotation(const Matrix3<Scalar>& R) {
     Matrix3<Scalar> way = product(R, orthogonality_defect(R));
@@ -33,8 +33,8 @@ template <class Scalar>
     return way;
 }
 
-/// Whether R is a rotation to half of the digits, beside its largest entry: of dual numbers the
-/// derivatives may be large.
+/// Returns whether R is a rotation to half of the digits, relative to its largest entry: the
+/// derivatives in dual numbers may be large.
 template <class Scalar>
 [[nodiscard]] bool is_rotation(const Matrix3<Scalar>& R) {
     Scalar most = 1;

@@ -5,9 +5,9 @@
 #include <array>
 #include <cstddef>
 
-/// Of what a sweep does with vectors of space, so that they stay in registers. NOTE: measured on
-/// free-rigid-body and heavy-top with two to six stages, g++ 12 leaves calls of its own accord, and
-/// a sweep then takes twice as long.
+/// Attribute of functions on vectors of space that sweeps call, so that vectors stay in registers.
+/// NOTE: measured on free-rigid-body and heavy-top with two to six stages: g++ 12 by itself does
+/// not inline all calls, and a sweep then takes twice as long.
 #if defined(__GNUC__)
 #define HVI_INLINE_IN_SPACE [[gnu::always_inline]]
 #else
@@ -19,7 +19,7 @@ namespace hvi::detail {
 template <class Scalar>
 using Vector3 = std::array<Scalar, 3>;
 
-/// Row by row.
+/// A matrix, row by row.
 template <class Scalar>
 using Matrix3 = std::array<Scalar, 9>;
 
@@ -53,7 +53,7 @@ HVI_INLINE_IN_SPACE [[nodiscard]] constexpr Vector3<Scalar> cross(const Vector3<
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-/// R a
+/// Returns R a.
 template <class Scalar>
 HVI_INLINE_IN_SPACE [[nodiscard]] constexpr Vector3<Scalar> times(const Matrix3<Scalar>& R,
                                                                   const Vector3<Scalar>& a) {
@@ -61,7 +61,7 @@ HVI_INLINE_IN_SPACE [[nodiscard]] constexpr Vector3<Scalar> times(const Matrix3<
             R[6] * a[0] + R[7] * a[1] + R[8] * a[2]};
 }
 
-/// R^T a
+/// Returns R^T a.
 template <class Scalar>
 HVI_INLINE_IN_SPACE [[nodiscard]] constexpr Vector3<Scalar>
 transposed_times(const Matrix3<Scalar>& R, const Vector3<Scalar>& a) {
@@ -69,7 +69,7 @@ transposed_times(const Matrix3<Scalar>& R, const Vector3<Scalar>& a) {
             R[2] * a[0] + R[5] * a[1] + R[8] * a[2]};
 }
 
-/// A B
+/// Returns A B.
 template <class Scalar>
 HVI_INLINE_IN_SPACE [[nodiscard]] constexpr Matrix3<Scalar> product(const Matrix3<Scalar>& A,
                                                                     const Matrix3<Scalar>& B) {

@@ -1,8 +1,9 @@
 // Functions of numbers side by side.
 // SPDX-License-Identifier: MIT
 //
-// NOTE: the runtime calls none of them. Headers of scenes do, as hvi::math::sin(x), of one number
-// and of several, and find them by what they include; more of them are in lane_functions.hpp.
+// NOTE: the runtime calls none of them. Headers of scenes call them, as hvi::math::sin(x), for one
+// number and for several, and so depend on the headers they include. More functions are in
+// lane_functions.hpp.
 #pragma once
 
 #include <cstddef>
@@ -17,8 +18,8 @@ namespace hvi {
 
 namespace detail {
 
-/// f of each number alone. NOTE: in xsimd 8 erf is off by up to 70 units in the last place, erfc
-/// by 10^7, and acosh is infinite far below 1.
+/// Applies f to each number alone. NOTE: in xsimd 8 erf is off by up to 70 units in the last place,
+/// erfc by 10^7, and acosh is infinite far below 1.
 template <class Number, std::size_t count, std::size_t most, class F>
 [[nodiscard]] Lanes<Number, count, most> one_by_one(const Lanes<Number, count, most>& x, F f) {
     typename Lanes<Number, count, most>::Row row;
@@ -36,7 +37,7 @@ template <class Number, std::size_t count, std::size_t most, class F>
     return first;
 }
 
-/// How of_each() computes: one number, or several of which each is alone.
+/// Evaluation of of_each() for one number, or for several, number by number.
 template <class Value>
 struct Each {
     template <class F, class... Values>
@@ -69,8 +70,8 @@ private:
     }
 };
 
-/// f(x, ...) in a Value, which is named where it is called, so that what is given in other types is
-/// converted: a function of numbers that knows nothing of numbers side by side.
+/// Returns f(x, ...) as a Value, number by number, for a function f of single numbers. Value is
+/// named by the caller, so that arguments of other types are converted.
 template <class Value, class F, class... Given>
 [[nodiscard]] Value of_each(F f, const Given&... x) {
     return Each<Value>::call(f, Value(x)...);
@@ -78,8 +79,8 @@ template <class Value, class F, class... Given>
 
 }  // namespace detail
 
-// NOTE: functions of a register are found by its type. What comes out in a lane depends on that
-// lane alone.
+// NOTE: functions of a register are found by its type. The result in a lane depends on that lane
+// alone.
 namespace math {
 
 template <class Number, std::size_t count, std::size_t most>
@@ -114,8 +115,8 @@ template <class Number, std::size_t count, std::size_t most>
 [[nodiscard]] Lanes<Number, count, most> erfc(const Lanes<Number, count, most>& x) {
     return detail::one_by_one(x, [](const Number& a) { return erfc(a); });
 }
-/// NOTE: one by one. That of xsimd is exp(y log(x)), off by as many units in the last place as that
-/// exponent is large.
+/// Returns x^y, number by number. NOTE: pow of xsimd is exp(y log(x)), off by as many units in the
+/// last place as that exponent is large.
 template <class Number, std::size_t count, std::size_t most>
 [[nodiscard]] Lanes<Number, count, most> pow(const Lanes<Number, count, most>& x,
                                              const Lanes<Number, count, most>& y) {

@@ -9,9 +9,9 @@
 
 namespace hvi {
 
-// NOTE: beside Lanes, where templates that were written before find them.
+// NOTE: in the namespace of Lanes, where templates that were defined before find them.
 
-/// x, of which the compiler no longer knows that it was a product; see that of numbers.
+/// Returns x such that the compiler no longer knows that it was a product; see opaque() of numbers.
 template <class Number, std::size_t count, std::size_t most>
 [[nodiscard]] Lanes<Number, count, most> opaque(const Lanes<Number, count, most>& x) {
     typename Lanes<Number, count, most>::Row row;
@@ -20,7 +20,7 @@ template <class Number, std::size_t count, std::size_t most>
     return row;
 }
 
-/// x * y == hi + lo in each lane.
+/// Returns hi + lo == x * y in each lane.
 template <class Number, std::size_t count, std::size_t most>
 [[nodiscard]] detail::Pair<Lanes<Number, count, most>>
 two_product(const Lanes<Number, count, most>& x, const Lanes<Number, count, most>& y) {
@@ -37,15 +37,15 @@ two_product(const Lanes<Number, count, most>& x, const Lanes<Number, count, most
 
 namespace detail {
 
-/// The largest power of two that is not above `count`.
+/// Returns the largest power of two that is not above `count`.
 [[nodiscard]] constexpr std::size_t power_of_two_in(std::size_t count) {
     std::size_t power = 1;
     while (2 * power <= count) { power *= 2; }
     return power;
 }
 
-/// The sum of `count` numbers, of which `lo` is what rounding cuts off from `hi`: half of them is
-/// added to the other half at once.
+/// Returns the sum of `count` numbers; `lo` is what rounding cuts off from `hi`. Half of the
+/// numbers are added to the other half at once.
 template <std::size_t count, class Number>
 [[nodiscard, gnu::always_inline]] inline Pair<Number> exact_sum_of(const Number* from) {
     constexpr std::size_t power = power_of_two_in(count);

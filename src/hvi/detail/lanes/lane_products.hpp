@@ -14,16 +14,17 @@
 
 namespace hvi::detail {
 
-/// Whether there is so little to compute that a step waits for what was stored before it.
+/// Number of components up to which a step has so little to compute that it waits for its own
+/// stores.
 inline constexpr std::size_t few_components = 3;
 
-/// Has rows in memory, where processors spread their numbers over the lanes of registers while they
-/// load them. g++ would take them from the registers that were stored there, by instructions that
-/// compete with those that compute.
+/// Keeps rows in memory, from where processors spread their numbers over the lanes of registers
+/// while loading. g++ would take the numbers from the registers that were stored there, by
+/// instructions that compete with the arithmetic.
 ///
-/// NOTE: measured with AVX2, gauss:8: Henon-Heiles takes 0.88 of the time for it, Kepler's problem
-/// 0.96, one component 1.04. With AVX-512 registers are spread as fast as they are loaded, and few
-/// of them do not wait to be stored.
+/// NOTE: measured with AVX2, gauss:8: it reduces the time of Henon-Heiles to 0.88, that of Kepler's
+/// problem to 0.96, and raises that of one component to 1.04. With AVX-512 registers are spread as
+/// fast as they are loaded, and few registers do not wait to be stored.
 template <class Number, std::size_t count, std::size_t dimension>
 [[gnu::always_inline]] inline void keep_in_memory(const LaneRows<Number, count, dimension>& rows) {
 #if HVI_REGISTER_BYTES
@@ -35,9 +36,9 @@ template <class Number, std::size_t count, std::size_t dimension>
     static_cast<void>(rows);
 }
 
-/// start + matrix x, the matrix being columns.
+/// Returns start + matrix x, where the matrix consists of columns.
 ///
-/// NOTE: in two sums, as a processor adds several times faster than it waits for one sum. And
+/// NOTE: in two sums, as a processor adds several times faster than it waits for one sum; and
 /// inlined, as no register of this size lives through a call.
 template <class Number, std::size_t rows, std::size_t columns, std::size_t most>
 [[nodiscard, gnu::always_inline]] inline Lanes<Number, rows, most>
@@ -59,20 +60,20 @@ product(const std::array<LaneRow<Number, rows>, columns>& matrix, const LaneRow<
     return start;
 }
 
-/// How many rows are multiplied with the columns of a matrix at once.
+/// Number of rows that are multiplied with the columns of a matrix at once.
 ///
-/// NOTE: so many that their sums do not wait for each other, and no more than stay in registers
+/// NOTE: enough rows that their sums do not wait for each other, and no more than stay in registers
 /// beside a column.
 template <class Lane>
 inline constexpr std::size_t rows_at_once = Lane::registers <= 2   ? 4
                                             : Lane::registers <= 8 ? 9 / Lane::registers
                                                                    : 1;
 
-/// So many sums of registers do not wait for each other: two products and sums at once, of which
-/// each takes four cycles.
+/// Number of sums of registers that do not wait for each other: two products and sums start at
+/// once, and each takes four cycles.
 inline constexpr std::size_t sums_at_once = 8;
 
-/// `use(k, y)` of the y_k = start(k) + matrix x_k of the rows k, ..., which are taken by `i`.
+/// Calls use(k, y) with y_i = start(k + i) + matrix x_{k+i} for the rows k + i.
 template <class Lane, class Slopes, class Start, class Use, std::size_t columns, std::size_t... i>
 [[gnu::always_inline]] inline void
 products_at(std::size_t k, const std::array<typename Lane::Row, columns>& matrix, const Slopes& x,
@@ -90,7 +91,7 @@ products_at(std::size_t k, const std::array<typename Lane::Row, columns>& matrix
     }
 }
 
-/// The same for all rows.
+/// Calls use(k, y) as products_at() does, in blocks that cover all rows.
 template <class Lane, class Slopes, class Start, class Use, std::size_t columns>
 [[gnu::always_inline]] inline void products(const std::array<typename Lane::Row, columns>& matrix,
                                             const Slopes& x, Start start, Use use) {
@@ -106,14 +107,14 @@ template <class Lane, class Slopes, class Start, class Use, std::size_t columns>
     }
 }
 
-/// The rows from k on.
+/// Stores lanes into the rows from k on.
 template <class Lane, std::size_t n, std::size_t dimension>
 void store_from(std::size_t k, const std::array<Lane, n>& lanes,
                 std::array<typename Lane::Row, dimension>& rows) {
     for (std::size_t i = 0; i < n; ++i) { lanes[i].store(rows[k + i]); }
 }
 
-/// The rows from k on become start + way, and what that changes, summed over lanes, goes to
+/// Sets the rows from k on to start + way, and adds up over lanes how much they change, for
 /// `changes`.
 template <class Lane, class Vector, std::size_t n, std::size_t dimension>
 [[gnu::always_inline]] inline void
@@ -129,7 +130,7 @@ move_from(std::size_t k, const Vector& start, const std::array<Lane, n>& ways,
     for (std::size_t i = 0; i < n; ++i) { detail::at(changes, k + i) = sums[i]; }
 }
 
-/// rows = now rows + before (the rows before), and the rows before become these.
+/// Sets rows = now rows + before (the rows before), and the rows before to the old rows.
 template <class Lane, class Matrix, std::size_t dimension>
 void extrapolate(std::array<typename Lane::Row, dimension>& rows, const Matrix& now,
                  const Matrix& before, std::array<typename Lane::Row, dimension>& rows_before) {

@@ -10,7 +10,7 @@
 
 namespace hvi::detail {
 
-/// Rows of coefficients, as tables of steppers have them, and their columns, for lanes.
+/// Makes rows of coefficients for lanes from tables of steppers, and their columns.
 template <class Number, std::size_t count>
 [[nodiscard]] constexpr LaneRow<Number, count> lane_row(const Number (&row)[count]) {
     LaneRow<Number, count> result{};
@@ -26,7 +26,7 @@ template <class Number, std::size_t count>
 }
 
 template <class Number, std::size_t count>
-using LaneMatrix = std::array<LaneRow<Number, count>, count>;  ///< columns
+using LaneMatrix = std::array<LaneRow<Number, count>, count>;  ///< by columns
 
 template <class Number, std::size_t count>
 [[nodiscard]] constexpr LaneMatrix<Number, count>
@@ -63,19 +63,19 @@ void store(const Lanes<Number, count, most>& lanes, LaneRow<Number, count>& row)
     lanes.store(row);
 }
 
-/// Rows as an argument of functions of a scene: what they read are rows loaded, and what they write
-/// is stored times a factor.
+/// Rows as an argument of functions of a scene: reading loads a row, and writing stores a row times
+/// a factor.
 ///
-/// NOTE: in place of vectors of lanes, which g++ copies from memory to memory in halves. Then the
-/// next load waits for both.
+/// NOTE: this replaces vectors of lanes, which g++ copies from memory to memory in halves, so that
+/// the next load waits for both.
 template <class Lane>
 class LaneAccess {
 public:
     using Row = typename Lane::Row;
 
-    /// To read from.
+    /// Gives access for reading.
     [[gnu::always_inline]] explicit LaneAccess(const Row* rows) : from_(rows) {}
-    /// To write to.
+    /// Gives access for writing values times `factor`.
     [[gnu::always_inline]] LaneAccess(Row* rows, const Lane& factor) : to_(rows), factor_(factor) {}
 
     [[nodiscard, gnu::always_inline]] Lane operator[](std::size_t k) const { return from_[k]; }
@@ -114,7 +114,7 @@ write(std::array<typename Lane::Row, dimension>& rows, const Lane& factor) {
     return LaneAccess<Lane>(rows.data(), factor);
 }
 
-/// The vector of one lane.
+/// Returns the vector of one lane.
 template <class Vector, class Number, std::size_t count, std::size_t dimension>
 [[nodiscard]] Vector lane_of(const LaneRows<Number, count, dimension>& rows, std::size_t lane) {
     Vector v{};
@@ -122,7 +122,7 @@ template <class Vector, class Number, std::size_t count, std::size_t dimension>
     return v;
 }
 
-/// Between the lanes in the middle.
+/// Returns the vector of the middle lane, or the mean of the two lanes in the middle.
 template <class Vector, class Number, std::size_t count, std::size_t dimension>
 [[nodiscard]] Vector middle_of(const LaneRows<Number, count, dimension>& rows) {
     Vector v{};
@@ -138,7 +138,7 @@ void copy(const std::array<typename Lane::Row, dimension>& from,
     for (std::size_t k = 0; k < dimension; ++k) { Lane(from[k]).store(to[k]); }
 }
 
-/// x - y.
+/// Sets out = x - y.
 template <class Lane>
 void subtract(const typename Lane::Row& x, const typename Lane::Row& y, typename Lane::Row& out) {
     (Lane(x) - Lane(y)).store(out);

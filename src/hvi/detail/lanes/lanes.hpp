@@ -1,11 +1,11 @@
 // Numbers side by side: one operation computes them all.
 // SPDX-License-Identifier: MIT
 //
-// double and float are computed in vectors of the processor, as wide as the compiler is told that
-// it has them. With a compiler that is not like g++, with -DHVI_NO_REGISTERS and for other numbers
-// the same is done one by one, in plain C++. Both round differently in the last bits, and so do
-// vectors of different width where a compiler fuses products and sums; each build gives the same
-// bits again.
+// double and float are computed in vectors of the processor, as wide as the compiler's options
+// allow. Plain C++ computes the numbers one by one with a compiler that is not like g++, with
+// -DHVI_NO_REGISTERS, and for other types of numbers. Both round differently in the last bits, and
+// so do vectors of different width where a compiler fuses products and sums. Each build gives the
+// same bits again.
 #pragma once
 
 #include <array>
@@ -20,13 +20,13 @@
 namespace hvi {
 namespace detail {
 
-/// So many places hold `count` numbers: registers of 4 and 8 are filled.
+/// Returns the number of places that hold `count` numbers: registers of 4 and 8 are filled.
 [[nodiscard]] constexpr std::size_t places_for(std::size_t count) {
     return count <= 2 ? count : (count + 3) / 4 * 4;
 }
 
-/// Numbers in memory, one for each of `count` lanes. Places that are left over are copies of the
-/// last lane, so that nothing can happen there that does not happen in it; or zeros.
+/// Numbers in memory, one for each of `count` lanes. Places that are left over are zeros or copies
+/// of the last lane, so that nothing can happen in them that does not happen in it.
 template <class Number, std::size_t count>
 struct LaneRow {
     static constexpr std::size_t places = places_for(count);
@@ -48,7 +48,7 @@ struct LaneRow {
 
 }  // namespace detail
 
-/// Yes or no in each of the lanes, and in the places that are left over.
+/// Booleans, one in each of the lanes and in the places that are left over.
 template <class Part, std::size_t parts>
 class LaneMask {
 public:
@@ -56,7 +56,7 @@ public:
 
     LaneMask() = default;
 
-    /// The same in all lanes.
+    /// Sets all lanes to x.
     explicit LaneMask(bool x) {
         for (Bits& bits : bits_) { bits = Bits(x); }
     }
@@ -79,7 +79,7 @@ public:
     }
 
     [[nodiscard]] friend bool any(const LaneMask& x) {
-        using detail::any;  // that of registers is found by its argument
+        using detail::any;  // any() of registers is found by its argument
         return any(x.one_of(std::make_index_sequence<parts - 1>()));
     }
     [[nodiscard]] friend bool all(const LaneMask& x) {
@@ -109,14 +109,14 @@ private:
     std::array<Bits, parts> bits_;
 };
 
-/// `count` Numbers, in registers.
+/// Holds `count` Numbers in registers.
 ///
-/// NOTE: what is done with each register is written out: of loops over several compilers keep the
-/// registers in memory, below -O3. For the same reason Lanes are what is computed with, and not
-/// what is kept: g++ copies an array of registers from memory to memory in halves, for which the
-/// next load waits. What is kept are rows.
-/// Registers hold `most` of them, or fewer. NOTE: of AVX-512 the wide ones compute more at once,
-/// and each later: where an iteration waits for every sum, those of 4 are a fifth faster.
+/// NOTE: operations on each register are written out: in loops over several registers compilers
+/// keep them in memory, below -O3. For the same reason Lanes serve to compute with, and LaneRow
+/// serves to keep numbers: g++ copies an array of registers from memory to memory in halves, for
+/// which the next load waits. Registers hold at most `most` numbers. NOTE: wide registers of
+/// AVX-512 compute more at once, and each later: where an iteration waits for every sum, registers
+/// of 4 are a fifth faster.
 template <class Number, std::size_t count, std::size_t most = detail::widest>
 class Lanes {
     static constexpr std::size_t places = detail::places_for(count);
@@ -128,30 +128,30 @@ class Lanes {
 public:
     using Row = detail::LaneRow<Number, count>;
     using Mask = LaneMask<Part, parts>;
-    static constexpr std::size_t registers = parts;  ///< that hold them
+    static constexpr std::size_t registers = parts;  ///< number of registers
 
     Lanes() = default;
 
-    /// The same in all lanes.
+    /// Sets all lanes to x.
     Lanes(const Number& x) : Lanes(spread(x, each{})) {}
 
     Lanes(const Row& row) : Lanes(load(row, each{})) {}
 
     void store(Row& row) const { store(row, each{}); }
 
-    /// The `count` numbers from there on, wherever that is. Precondition: none is left over.
+    /// Loads `count` numbers from any address. Precondition: no places are left over.
     [[nodiscard]] static Lanes load(const Number* from) {
         static_assert(count == places, "registers are filled");
         return Lanes(load(from, each{}));
     }
 
-    /// The same the other way.
+    /// Stores `count` numbers to any address. Precondition: no places are left over.
     void store(Number* to) const {
         static_assert(count == places, "registers are filled");
         store(to, each{});
     }
 
-    /// f(x) in each lane, f being a function of one register.
+    /// Returns f(x) in each lane, where f is a function of one register.
     template <class F>
     [[nodiscard, gnu::always_inline]] Lanes map(F f) const {
         return map(f, each{});
@@ -183,15 +183,15 @@ public:
 
     [[nodiscard]] friend Lanes abs(const Lanes& x) {
         return x.map([](const Part& a) -> Part {
-            using detail::abs;  // that of registers is found by its argument
+            using detail::abs;  // abs() of registers is found by its argument
             return abs(a);
         });
     }
 
-    /// Over all places, those that are left over included.
+    /// Returns the sum over all places, those that are left over included.
     [[nodiscard]] friend Number sum(const Lanes& x) { return Register::sum(x.total()); }
 
-    /// The same of each.
+    /// Returns the sum over all places of each x.
     template <std::size_t n>
     [[nodiscard, gnu::always_inline]] static std::array<Number, n>
     sums(const std::array<Lanes, n>& x) {
@@ -205,7 +205,7 @@ public:
         return result;
     }
 
-    /// Over the lanes alone.
+    /// Returns the sum over the lanes alone.
     [[nodiscard]] friend Number sum_of_lanes(const Lanes& x) {
         if constexpr (count == places) {
             return sum(x);
@@ -232,7 +232,7 @@ public:
             x, y, [](const Part& a, const Part& b) { return a == b; }, each{});
     }
 
-    /// `yes` where the mask says so, else `no`.
+    /// Returns `yes` where the mask is true, else `no`.
     [[nodiscard]] friend Lanes select(const Mask& mask, const Lanes& yes, const Lanes& no) {
         return choose(mask, yes, no, each{});
     }
@@ -293,7 +293,7 @@ private:
     template <std::size_t... i>
     [[nodiscard]] static Lanes choose(const Mask& mask, const Lanes& yes, const Lanes& no,
                                       std::index_sequence<i...>) {
-        using detail::select;  // that of registers is found by its arguments
+        using detail::select;  // select() of registers is found by its arguments
         return Lanes(Parts{select(mask[i], yes.parts_[i], no.parts_[i])...});
     }
 
@@ -302,7 +302,7 @@ private:
 
 namespace detail {
 
-/// How many numbers are computed at once.
+/// Number of numbers that are computed at once.
 template <class Value>
 inline constexpr int lane_count = 1;
 template <class Number, std::size_t count, std::size_t most>

@@ -19,7 +19,7 @@ template <class Lane>
 struct ComplexLanes {
     Lane re, im;
 
-    /// Adds x y. NOTE: in four operations, each of a product and a sum.
+    /// Adds x y. NOTE: in four operations, each a product and a sum.
     [[gnu::always_inline]] void add_product(const ComplexLanes& x, const ComplexLanes& y) {
         re = re + x.re * y.re;
         im = im + x.re * y.im;
@@ -35,10 +35,10 @@ struct ComplexLanes {
         return {x.re * y.re - x.im * y.im, x.re * y.im + x.im * y.re};
     }
 
-    /// |re| + |im|.
+    /// Returns |re| + |im|.
     [[nodiscard]] friend Lane size(const ComplexLanes& x) { return abs(x.re) + abs(x.im); }
 
-    /// 1/x. NOTE: scaled first, as squares may be beyond the range of numbers.
+    /// Returns 1/x. NOTE: scaled first, as squares may be beyond the range of numbers.
     [[nodiscard]] friend ComplexLanes inverse(const ComplexLanes& x) {
         const Lane unit = Lane(1) / size(x);
         const ComplexLanes y{unit * x.re, unit * x.im};
@@ -47,21 +47,22 @@ struct ComplexLanes {
     }
 };
 
-/// The inverse of 1 + C x S, applied to slopes of the stages in lanes, where S is a matrix of
+/// Inverse of 1 + C x S, applied to slopes of the stages in lanes, where S is a matrix of
 /// `dimension` rows. In the basis of `Modes`, known when the header was written, C has complex
-/// eigenvalues lambda, real ones among them, and a lane for each holds the inverse of 1 + lambda S.
+/// eigenvalues lambda, real ones among them. A lane for each eigenvalue holds the inverse of 1 +
+/// lambda S.
 ///
-/// NOTE: rows are not exchanged, as each lane would want others; where a pivot is small beside its
-/// row, compute() says so. And inverses, not factors: what is applied ten times a step has no
-/// chains of operations that wait for each other.
+/// NOTE: rows are not exchanged, as each lane would need other exchanges; where a pivot is small
+/// beside its row, compute() returns false. Inverses are kept rather than factors: they are applied
+/// ten times a step, and have no chains of operations that wait for each other.
 template <class Scalar, std::size_t stages, std::size_t dimension, class Modes,
           std::size_t most = widest>
 class ModeLanes {
 public:
     using Slopes = LaneRows<Scalar, stages, dimension>;
 
-    /// `S(k, l)` is an entry. Allocates the first time. False where some 1 + lambda S is singular,
-    /// nearly so, or not finite.
+    /// Computes the inverses; `S(k, l)` is an entry of S. Allocates the first time. Returns false
+    /// where some 1 + lambda S is singular, nearly so, or not finite.
     template <class Entry>
     [[nodiscard]] bool compute(Entry S) {
         inverse_.resize(dimension);
@@ -78,7 +79,7 @@ public:
         return true;
     }
 
-    /// x becomes (1 + C x S)^-1 x. Precondition: compute() was true.
+    /// Sets x to (1 + C x S)^-1 x. Precondition: compute() was true.
     void solve(Slopes& x) const {
         std::array<Pair, dimension> modes, solved;
         for (std::size_t k = 0; k < dimension; ++k) {
@@ -105,7 +106,7 @@ private:
     using Row = typename Lane::Row;
     using Number = ComplexLanes<Lane>;
 
-    /// A complex number of each mode, in memory.
+    /// Complex numbers in memory, one for each mode.
     struct Pair {
         Row re, im;
     };
@@ -118,13 +119,13 @@ private:
         x.im.store(to.im);
     }
 
-    /// A step of Gauss' and Jordan's elimination, in place.
+    /// Takes a step of Gauss-Jordan elimination, in place.
     [[nodiscard]] bool eliminate(std::size_t k) {
         constexpr Scalar least = power_of_two<Scalar>(-bits<Scalar> / 3);
         Lane row(Scalar(0));
         for (std::size_t l = k; l < dimension; ++l) { row = row + size(get(inverse_[k][l])); }
         const Number pivot = get(inverse_[k][k]);
-        // NOTE: a NaN is not smaller than anything, and infinity not below infinity.
+        // NOTE: a comparison with a NaN is false, and infinity is not below infinity.
         if (!all((Lane(least) * row < size(pivot)) & (row < Lane(infinity<Scalar>)))) {
             return false;
         }
@@ -148,8 +149,8 @@ private:
     template <std::size_t rows, std::size_t columns>
     using Table = std::array<LaneRow<Scalar, rows>, columns>;
 
-    /// The place of the real part of a mode among the vectors of the basis; see RealModes of the
-    /// generator. The imaginary one is next to it.
+    /// Returns the place of the real part of a mode among the vectors of the basis; see RealModes
+    /// of the generator. The imaginary part is next to it.
     [[nodiscard]] static constexpr std::size_t place(std::size_t mode) {
         return mode < Modes::real_ones ? mode : 2 * mode - Modes::real_ones;
     }

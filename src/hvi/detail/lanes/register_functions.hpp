@@ -8,8 +8,8 @@
 #include <hvi/detail/numbers/math.hpp>
 #include <hvi/detail/numbers/more_math.hpp>
 
-// NOTE: g++ 12 takes what its own AVX-512 functions leave to chance for a variable that somebody
-// forgot.
+// NOTE: g++ 12 warns of its own AVX-512 functions, whose undefined values it takes for an
+// uninitialised variable.
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wuninitialized"
@@ -28,7 +28,7 @@
 
 namespace hvi::detail {
 
-/// f(x), for f made of exp.
+/// Returns f(x), where f is made of exp.
 template <class Number, class F>
 [[nodiscard]] Number exponential(const Number& x, F f) {
     return f(x);
@@ -38,7 +38,7 @@ template <class Number, class F>
 
 #if HVI_HAS_XSIMD
 
-/// f(x), f being a function of a batch of xsimd.
+/// Returns f(x), where f is a function of a batch of xsimd.
 template <class Number, std::size_t width, class F>
 [[nodiscard]] PackedNumbers<Number, width> by_library(const PackedNumbers<Number, width>& x, F f) {
     using Batch = typename xsimd::make_sized_batch<Number, width>::type;
@@ -52,8 +52,8 @@ template <class Number, std::size_t width, class F>
     }
 }
 
-/// NOTE: xsimd makes an integer of the exponent, which is undefined where there is none so large,
-/// and for NaN. Beyond +-1000 all of these functions are what they are there.
+/// NOTE: xsimd converts the exponent to an integer, which is undefined where the exponent is too
+/// large, and for NaN. So x is limited to +-1000, beyond which these functions no longer change.
 template <class Number, std::size_t width, class F>
 [[nodiscard]] PackedNumbers<Number, width> exponential(const PackedNumbers<Number, width>& x, F f) {
     using Part = PackedNumbers<Number, width>;
@@ -74,7 +74,7 @@ template <class Number, std::size_t width, class F>
 
 #endif
 
-// NOTE: found by their argument; math:: has those of one number.
+// NOTE: found by the type of the argument; math:: has the functions of one number.
 template <class Number, std::size_t width>
 [[nodiscard]] PackedNumbers<Number, width> acos(const PackedNumbers<Number, width>& x) {
     using math::acos;

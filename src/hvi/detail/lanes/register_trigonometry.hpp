@@ -1,8 +1,9 @@
 // sin, cos and tan of several numbers at once.
 // SPDX-License-Identifier: MIT
 //
-// NOTE: those of xsimd take another way to the quadrant where all numbers of a register are small,
-// and round differently there: what becomes of a number depends on its neighbours. These do not.
+// NOTE: sin and cos of xsimd reduce the angle in another way where all numbers of a register are
+// small, and round differently there, so that the result for a number depends on its neighbours.
+// The functions below do not.
 #pragma once
 
 #include <cmath>
@@ -13,7 +14,7 @@
 
 namespace hvi::detail {
 
-/// Of one number.
+/// Returns sin, cos or tan of one number.
 template <class Number>
 [[nodiscard]] Number sin_of(const Number& x) {
     return math::sin(x);
@@ -29,18 +30,19 @@ template <class Number>
 
 #if HVI_REGISTER_BYTES
 
-/// pi/2 in three parts, the first two of so few bits that products with small integers are exact,
-/// and sin r = r + r^3 S(r^2), cos r = 1 - r^2/2 + r^4 C(r^2) for |r| <= pi/4.
+/// Constants: pi/2 in three parts, the first two of so few bits that products with small integers
+/// are exact, and the polynomials of sin r = r + r^3 S(r^2), cos r = 1 - r^2/2 + r^4 C(r^2) for |r|
+/// <= pi/4.
 template <class Number>
 struct Trigonometry;
 
-/// The coefficients are those of fdlibm (Sun Microsystems, 1993).
+/// Coefficients of fdlibm (Sun Microsystems, 1993).
 template <>
 struct Trigonometry<double> {
     static constexpr double two_over_pi = 0x1.45f306dc9c883p-1;
     static constexpr double half_pi[] = {0x1.921fb544p0, 0x1.0b4611a6p-34, 0x1.3198a2e037073p-69};
-    static constexpr double to_integer = 0x1.8p52;  ///< x + this - this is an integer
-    static constexpr double largest = 524288;       ///< of which the products are exact
+    static constexpr double to_integer = 0x1.8p52;  ///< x + to_integer - to_integer is an integer
+    static constexpr double largest = 524288;       ///< largest |x| with exact products
     static constexpr double S[] = {-0x1.5555555555549p-3,  0x1.111111110f8a6p-7,
                                    -0x1.a01a019c161d5p-13, 0x1.71de357b1fe7dp-19,
                                    -0x1.ae5e68a2b9cebp-26, 0x1.5d93a5acfd57cp-33};
@@ -49,7 +51,7 @@ struct Trigonometry<double> {
                                    0x1.1ee9ebdb4b1c4p-29, -0x1.8fae9be8838d4p-37};
 };
 
-/// Those of Cephes (Moshier).
+/// Coefficients of Cephes (Moshier).
 template <>
 struct Trigonometry<float> {
     static constexpr float two_over_pi = 0x1.45f306p-1F;
@@ -64,14 +66,14 @@ struct Trigonometry<float> {
 
 /// sin x and cos x where |x| is not large.
 ///
-/// NOTE: inlined, as no register of this size lives through a call; compilers leave out what only
-/// the other one of both needs.
+/// NOTE: inlined, as no register of this size lives through a call. Compilers then drop the part of
+/// the result that the caller does not use.
 template <class Part>
 struct RegisterSinCos {
     Part sin, cos;
 
     [[gnu::always_inline]] inline explicit RegisterSinCos(const Part& x) {
-        // NOTE: n = round(2 x/pi) are the last bits of x 2/pi + to_integer.
+        // NOTE: n = round(2 x/pi) is in the last bits of x 2/pi + to_integer.
         const Part shifted = x * Part(Table::two_over_pi) + Part(Table::to_integer);
         const Part n = shifted - Part(Table::to_integer);
         const Part r = ((x - n * Part(Table::half_pi[0])) - n * Part(Table::half_pi[1])) -
@@ -94,13 +96,13 @@ private:
     using Table = Trigonometry<Number>;
     static constexpr int to_sign = 8 * sizeof(Number) - 2;  ///< from the last bit but one
 
-    /// -x where the last bit but one is set.
+    /// Returns x with its sign changed where the last bit but one is set.
     [[nodiscard]] static Part changed_in_sign(const Part& x, const Bits& bits) {
         using Vector = typename Part::Vector;
         return Vector(Bits(x.vector) ^ ((bits & 2) << to_sign));
     }
 
-    /// sum a_i z^i. NOTE: in pairs, which do not wait for each other.
+    /// Returns sum a_i z^i. NOTE: in pairs, which do not wait for each other.
     template <std::size_t n>
     [[nodiscard]] static Part polynomial(const Number (&a)[n], const Part& z, const Part& zz) {
         constexpr std::size_t last = (n - 1) / 2 * 2;
@@ -113,14 +115,15 @@ private:
     }
 };
 
-/// NOTE: not inlined, as what is seldom computed takes registers from what is.
+/// Applies f number by number. NOTE: not inlined, as this rare case would take registers from the
+/// common one.
 template <class Number, std::size_t width, class F>
 [[nodiscard, gnu::noinline, gnu::cold]] PackedNumbers<Number, width>
 one_by_one(const PackedNumbers<Number, width>& x, F f) {
     return each_of(x, f);
 }
 
-/// `values`, and f(x), number by number, where |x| is large.
+/// Returns `values`, but f(x) number by number where |x| is large.
 template <class Number, std::size_t width, class F>
 [[nodiscard, gnu::always_inline]] inline PackedNumbers<Number, width>
 with_large(const PackedNumbers<Number, width>& x, const PackedNumbers<Number, width>& values, F f) {

@@ -1,9 +1,9 @@
-// What the processor computes at once.
+// Registers of the processor.
 // SPDX-License-Identifier: MIT
 //
-// NOTE: vectors of the compilers, which g++ and clang++ know without a header. Those of a library,
-// as xsimd, take as long to read as all the rest of a stepper takes to be compiled; what only such
-// a library has, exp and log, is in register_functions.hpp.
+// NOTE: the vectors are types of the compilers, which g++ and clang++ know without a header.
+// Headers of a library such as xsimd take as long to read as all the rest of a stepper takes to be
+// compiled. Functions that only a library has, exp and log, are in register_functions.hpp.
 #pragma once
 
 #include <array>
@@ -26,8 +26,8 @@
 #define HVI_REGISTER_BYTES 0
 #endif
 
-/// Of functions of scenes that are called often. Without registers g++ vectorises what is called,
-/// and not what is inlined.
+/// Attribute of functions of scenes that are called often. Without registers it is empty: g++
+/// vectorises a function that is called, but not one that is inlined.
 #if HVI_REGISTER_BYTES
 #define HVI_INLINE_IN_LANES [[gnu::always_inline]]
 #else
@@ -46,11 +46,11 @@ inline constexpr bool
                                                       width * sizeof(Number) == 64) &&
                    width * sizeof(Number) <= HVI_REGISTER_BYTES;
 
-/// As many as a register holds.
+/// Limit on the numbers in a register: as many as the widest register holds.
 inline constexpr std::size_t widest = 8;
 
-/// How many numbers go into one register where `places` are to fill registers; 1: there is none.
-/// Not more than `most`.
+/// Returns how many numbers go into one register where `places` places fill registers, and at most
+/// `most`; 1: there is no register.
 template <class Number, std::size_t places, std::size_t most = widest>
 [[nodiscard]] constexpr std::size_t register_width() {
     if (most >= 8 && places % 8 == 0 && has_register<Number, 8>) { return 8; }
@@ -59,7 +59,7 @@ template <class Number, std::size_t places, std::size_t most = widest>
     return 1;
 }
 
-// ---- of one number ----
+// ---- one number ----
 
 [[nodiscard]] inline bool any(bool mask) { return mask; }
 [[nodiscard]] inline bool all(bool mask) { return mask; }
@@ -68,7 +68,7 @@ template <class Number>
     return mask ? yes : no;
 }
 
-/// What a comparison gives.
+/// Type of the result of a comparison.
 template <class Part>
 struct MaskOf {
     using type = bool;
@@ -76,24 +76,24 @@ struct MaskOf {
 
 #if HVI_REGISTER_BYTES
 
-// ---- of several ----
+// ---- several numbers ----
 
-/// Integers as large as a number.
+/// Type of integers as large as a number.
 template <class Number>
 using BitsOf = std::conditional_t<sizeof(Number) == 4, std::int32_t, std::int64_t>;
 
-/// The vectors of the compiler.
+/// Vector types of the compiler.
 template <class Number, std::size_t width>
 struct CompilerVector {
     typedef Number Type __attribute__((vector_size(width * sizeof(Number))));
     typedef BitsOf<Number> Bits __attribute__((vector_size(width * sizeof(Number))));
-    // In memory that holds numbers.
+    // types for access to memory that holds numbers
     typedef Number Aligned __attribute__((vector_size(width * sizeof(Number)), may_alias));
     typedef Number Anywhere
         __attribute__((vector_size(width * sizeof(Number)), aligned(alignof(Number)), may_alias));
 };
 
-/// Yes or no for each number: all bits, or none.
+/// Booleans, one for each number: all bits, or none.
 template <class Number, std::size_t width>
 struct RegisterMask {
     using Bits = typename CompilerVector<Number, width>::Bits;
@@ -102,7 +102,7 @@ struct RegisterMask {
 
     RegisterMask() = default;
     explicit RegisterMask(const Bits& x) : bits(x) {}
-    /// The same for all.
+    /// Sets all to x.
     explicit RegisterMask(bool x) : bits(x ? ~Bits{} : Bits{}) {}
 
     [[nodiscard]] friend RegisterMask operator!(const RegisterMask& x) {
@@ -118,7 +118,7 @@ struct RegisterMask {
     [[nodiscard]] friend bool all(const RegisterMask& x) { return !some(~x.bits); }
 
 private:
-    /// Whether there is a bit.
+    /// Returns whether any bit is set.
     [[nodiscard]] static bool some(const Bits& bits) {
 #if defined(__AVX__)
         if constexpr (sizeof(Bits) == 32) {
@@ -132,7 +132,7 @@ private:
     }
 };
 
-/// `width` numbers.
+/// Holds `width` numbers.
 template <class Number, std::size_t width>
 struct PackedNumbers {
     using value_type = Number;
@@ -144,7 +144,7 @@ struct PackedNumbers {
 
     PackedNumbers() = default;
     PackedNumbers(const Vector& x) : vector(x) {}
-    /// The same in all places. NOTE: x - 0 is x, and x + 0 is not where x is -0.
+    /// Sets all places to x. NOTE: x - 0 is x, but x + 0 is not where x is -0.
     PackedNumbers(const Number& x) : vector(x - Vector{}) {}
 
     [[nodiscard]] friend PackedNumbers operator-(const PackedNumbers& x) { return -x.vector; }
@@ -174,7 +174,7 @@ struct PackedNumbers {
         return Vector(mask.bits ? yes.vector : no.vector);
     }
 
-    /// Without the bit of the sign.
+    /// Returns x without the bit of the sign.
     [[nodiscard]] friend PackedNumbers abs(const PackedNumbers& x) {
         constexpr BitsOf<Number> others = std::numeric_limits<BitsOf<Number>>::max();
         return Vector(Bits(x.vector) & others);
@@ -186,7 +186,7 @@ struct MaskOf<PackedNumbers<Number, width>> {
     using type = RegisterMask<Number, width>;
 };
 
-/// f of each number.
+/// Applies f to each number.
 template <class Number, std::size_t width, class F>
 [[nodiscard]] PackedNumbers<Number, width> each_of(const PackedNumbers<Number, width>& x, F f) {
     PackedNumbers<Number, width> result = x;
@@ -205,8 +205,8 @@ sqrt(const PackedNumbers<float, width>& x) {
     return each_of(x, [](float a) { return __builtin_sqrtf(a); });
 }
 
-// NOTE: a compiler does not know without a header that the processor has these, and g++ and
-// clang++ say what is the same of 64 bytes in two ways.
+// NOTE: without a header a compiler does not know that the processor has these functions, and g++
+// and clang++ name the one of 64 bytes differently.
 #if defined(__SSE2__)
 [[nodiscard, gnu::always_inline]] inline PackedNumbers<double, 2>
 sqrt(const PackedNumbers<double, 2>& x) {
@@ -230,7 +230,7 @@ sqrt(const PackedNumbers<float, 8>& x) {
 #if defined(__AVX512F__)
 [[nodiscard, gnu::always_inline]] inline PackedNumbers<double, 8>
 sqrt(const PackedNumbers<double, 8>& x) {
-    constexpr int rounding = 4;  // the present one
+    constexpr int rounding = 4;  // the present rounding
 #if defined(__clang__)
     return __builtin_ia32_sqrtpd512(x.vector, rounding);
 #else
@@ -241,14 +241,14 @@ sqrt(const PackedNumbers<double, 8>& x) {
 
 #endif
 
-/// What computes `width` numbers at once.
+/// Loading, storing and adding up of the type that computes `width` numbers at once.
 template <class Number, std::size_t width>
 struct Register {
 #if HVI_REGISTER_BYTES
     using Type = PackedNumbers<Number, width>;
 
-    // NOTE: by these and not by memcpy, behind which g++ copies lanes from memory to memory; and
-    // said here, since an argument of a template loses what a type says of its alignment.
+    // NOTE: by these types and not by memcpy, for which g++ copies lanes from memory to memory.
+    // They are named here, since an argument of a template loses the alignment of its type.
     [[nodiscard]] static Type load(const Number* from) {
         const Vector vector = *reinterpret_cast<const typename Compiled::Aligned*>(from);
         return vector;
@@ -272,7 +272,7 @@ struct Register {
         }
     }
 
-    /// Of two at once, which takes as long as of one.
+    /// Returns two sums at once, which takes as long as one.
     [[nodiscard]] static std::array<Number, 2> sums(const Type& x, const Type& y) {
 #if defined(__has_builtin)
 #if __has_builtin(__builtin_shufflevector)
@@ -293,7 +293,7 @@ private:
 
 #if defined(__has_builtin)
 #if __has_builtin(__builtin_shufflevector)
-    /// x_0 + x_1, y_0 + y_1, x_2 + x_3, ...
+    /// Returns x_0 + x_1, y_0 + y_1, x_2 + x_3, ...
     template <std::size_t... i>
     [[nodiscard]] static Vector in_turn(const Vector& x, const Vector& y,
                                         std::index_sequence<i...>) {
@@ -304,7 +304,7 @@ private:
         return even + odd;
     }
 
-    /// x_0 + x_2 + ..., and x_1 + x_3 + ...
+    /// Returns x_0 + x_2 + ..., and x_1 + x_3 + ...
     [[nodiscard]] static std::array<Number, 2> folded(const Vector& x) {
         if constexpr (width == 2) {
             return {x[0], x[1]};
@@ -316,13 +316,13 @@ private:
 #endif
 #endif
 
-    /// x_0 + x_w/2, x_1 + x_w/2+1, ... of w.
+    /// Returns x_0 + x_{w/2}, x_1 + x_{w/2+1}, ..., where w is the width.
     template <std::size_t... i>
     [[nodiscard]] static typename CompilerVector<Number, width / 2>::Type
     low_and_high(const Vector& x, std::index_sequence<i...>) {
         using Half = typename CompilerVector<Number, width / 2>::Type;
 #if defined(__AVX__) && !defined(__clang__)
-        // NOTE: g++ permutes all of the register, for twice as long.
+        // NOTE: g++ would permute the whole register, which takes twice as long.
         if constexpr (std::is_same_v<Number, double> && width == 4) {
             const Half low = __builtin_ia32_pd_pd256(x);
             const Half high = __builtin_ia32_vextractf128_pd256(x, 1);

@@ -16,10 +16,10 @@
 
 namespace hvi::detail {
 
-/// Stages whose stages are lanes: there is a row of them for each component. The functions that
-/// take coefficients take the columns of m or of mt.
+/// Stages in lanes: there is a row for each component, with a lane for each stage. The functions
+/// that take coefficients take the columns of m or of mt.
 ///
-/// NOTE: what sweeps call is inlined, as no register of this size lives through a call.
+/// NOTE: functions that sweeps call are inlined, as no register of this size lives through a call.
 template <class Vector, std::size_t stages, std::size_t most = widest>
 struct StageLanes : StepMemory<Vector> {
     using Scalar = ScalarOf<Vector>;
@@ -40,14 +40,14 @@ struct StageLanes : StepMemory<Vector> {
         weighed_ = this->h;
     }
 
-    /// Starting values: slopes as at the start of the step.
+    /// Sets starting values: slopes as at the start of the step.
     void predict_q(const Vector& gradient) { fill(Lq, gradient, Lane(hb)); }
     void predict_p(const Vector& gradient) { fill(Lp, gradient, -Lane(hb)); }
 
-    /// No slopes at all.
+    /// Sets all slopes to zero.
     void rest() { Lq = Lp = {}; }
 
-    /// Starting values of those of the last step, or of two.
+    /// Sets starting values from the slopes of the last step, or of the last two.
     template <class... Before>
     void extrapolate_q(const Matrix& N, Before&&... before) {
         detail::extrapolate<Lane>(Lq, N, before...);
@@ -57,23 +57,23 @@ struct StageLanes : StepMemory<Vector> {
         detail::extrapolate<Lane>(Lp, N, before...);
     }
 
-    /// As arguments of functions of the system.
+    /// Return the stages as arguments of functions of the system.
     [[nodiscard, gnu::always_inline]] LaneAccess<Lane> all_positions() const {
         return read<Lane>(Q);
     }
     [[nodiscard, gnu::always_inline]] LaneAccess<Lane> all_momenta() const { return read<Lane>(P); }
 
-    /// Q_i = q + (e_q + sum_j m_ij Lq_j).
+    /// Sets Q_i = q + (e_q + sum_j m_ij Lq_j).
     [[gnu::always_inline]] void positions(const Matrix& m) {
         stage_values(m, Lq, this->at.q, this->remainder.q, Q, this->change.q);
     }
 
-    /// P_j = p + (e_p + sum_i mt_ji Lp_i).
+    /// Sets P_j = p + (e_p + sum_i mt_ji Lp_i).
     [[gnu::always_inline]] void momenta(const Matrix& mt) {
         stage_values(mt, Lp, this->at.p, this->remainder.p, P, this->change.p);
     }
 
-    /// What functions of the system write for later ones to read.
+    /// Returns rows that functions of the system write for later ones to read.
     template <std::size_t count>
     [[nodiscard, gnu::always_inline]] LaneAccess<Lane>
     write_to(LaneRows<Scalar, stages, count>& rows) const {
@@ -85,7 +85,8 @@ struct StageLanes : StepMemory<Vector> {
         return read<Lane>(rows);
     }
 
-    /// Where dH/dp becomes Lq_j = h b_j dH/dp, and dH/dq becomes Lp_i = -h b_i dH/dq.
+    /// Return rows for dH/dp, stored as Lq_j = h b_j dH/dp, and for dH/dq, stored as Lp_i = -h b_i
+    /// dH/dq.
     [[nodiscard, gnu::always_inline]] LaneAccess<Lane> velocities() {
         return write<Lane>(Lq, Lane(hb));
     }
@@ -93,7 +94,7 @@ struct StageLanes : StepMemory<Vector> {
         return write<Lane>(Lp, -Lane(hb));
     }
 
-    /// All slopes times a factor; see Sweeps.
+    /// Multiplies all slopes by a factor; see Sweeps.
     void nudge(Scalar factor) {
         for (Rows* rows : {&Lq, &Lp}) {
             for (Row& row : *rows) { (Lane(factor) * Lane(row)).store(row); }
@@ -109,10 +110,10 @@ struct StageLanes : StepMemory<Vector> {
         }
     }
 
-    /// sum_j Lq_j.
+    /// Returns sum_j Lq_j.
     [[nodiscard]] Scalar increment_q(std::size_t k) const { return sum_of_lanes(Lane(Lq[k])); }
 
-    /// What the rounding of component k of Q is to be compared with, and of P.
+    /// Return the size that the rounding of component k of Q, and of P, is compared with.
     [[nodiscard]] Scalar size_q(std::size_t k) const {
         return detail::abs(detail::at(this->at.q, k)) + sum(abs(Lane(Q[k])) + abs(Lane(Lq[k])));
     }
@@ -123,7 +124,7 @@ struct StageLanes : StepMemory<Vector> {
     // ---- one stage, for Newton's method; see Stages ----
 
     [[nodiscard]] Vector position(std::size_t i) const { return lane_of<Vector>(Q, i); }
-    /// Between the stages in the middle.
+    /// Return the middle stage, or the mean of the two stages in the middle.
     [[nodiscard]] Vector middle_q() const { return middle_of<Vector>(Q); }
     [[nodiscard]] Vector middle_p() const { return middle_of<Vector>(P); }
     [[nodiscard]] Vector momentum(std::size_t j) const { return lane_of<Vector>(P, j); }
@@ -149,7 +150,7 @@ private:
                 __attribute__((always_inline)) { move_from(k, start, ways, values, changes); });
     }
 
-    Scalar weighed_ = 0;  ///< the step size of hb
+    Scalar weighed_ = 0;  ///< step size of hb
 };
 
 }  // namespace hvi::detail

@@ -19,7 +19,7 @@
 
 namespace hvi::detail {
 
-/// The coefficients of VelocityStages for lanes.
+/// Coefficients of VelocityStages for lanes.
 template <class Scalar, std::size_t stages>
 struct VelocityTable {
     LaneRow<Scalar, stages> c;
@@ -33,9 +33,9 @@ struct VelocityTable {
     }
 };
 
-/// VelocityStages whose stages are lanes: there is a row of them for each component.
+/// VelocityStages in lanes: there is a row for each component, with a lane for each stage.
 ///
-/// NOTE: what sweeps call is inlined, as no register of this size lives through a call.
+/// NOTE: functions that sweeps call are inlined, as no register of this size lives through a call.
 template <class Vector, std::size_t stages, std::size_t most = widest>
 struct VelocityLanes : StepMemory<Vector> {
     using Scalar = ScalarOf<Vector>;
@@ -49,7 +49,7 @@ struct VelocityLanes : StepMemory<Vector> {
     Vector free_path{}, rest_of_path{};             ///< w is the sum of both
     Row hb{};                                       ///< h b_j
 
-    /// Sets what depends on h alone.
+    /// Sets the values that depend on h alone.
     template <class System>
     void weigh(const System& system, const Scalar (&b)[stages]) {
         if (this->h == weighed_) { return; }
@@ -70,7 +70,7 @@ struct VelocityLanes : StepMemory<Vector> {
         }
     }
 
-    /// Starting values: forces as at the start of the step, where dH/dq is `gradient`.
+    /// Sets starting values: forces as at the start of the step, where dH/dq is `gradient`.
     template <class System>
     void predict(const System& system, const Vector& gradient) {
         for (std::size_t k = 0; k < dimension; ++k) {
@@ -79,16 +79,16 @@ struct VelocityLanes : StepMemory<Vector> {
         drifts(system);
     }
 
-    /// No slopes at all.
+    /// Sets all slopes to zero.
     void rest() { Lp = W = {}; }
 
-    /// Starting values of those of the last step, or of two.
+    /// Sets starting values from the slopes of the last step, or of the last two.
     template <class... Before>
     void extrapolate(const LaneMatrix<Scalar, stages>& N, Before&&... before) {
         detail::extrapolate<Lane>(Lp, N, before...);
     }
 
-    /// Q_i = q + (e_q + c_i w + sum_j n_ij W_j).
+    /// Sets Q_i = q + (e_q + c_i w + sum_j n_ij W_j).
     [[gnu::always_inline]] void positions(const Table& table) {
         keep_in_memory(W);
         products<Lane>(
@@ -98,14 +98,15 @@ struct VelocityLanes : StepMemory<Vector> {
             });
     }
 
-    /// Lp_i = -h b_i dH/dq; `time` are the T_i, where H depends on them.
+    /// Sets Lp_i = -h b_i dH/dq; `time` is the T_i, where H depends on time.
     template <class System, class... Time>
     [[gnu::always_inline]] void forces(const System& system, const Time&... time) {
         auto out = write<Lane>(Lp, -Lane(hb));
         system.dHdq(read<Lane>(Q), Lane(time)..., out);
     }
 
-    /// Both. NOTE: of few components in registers, which then nothing is waited for to be stored.
+    /// Sets the forces and the drifts. NOTE: few components stay in registers, so that no load
+    /// waits for a store.
     template <class System, class... Time>
     [[gnu::always_inline]] void push(const System& system, const Time&... time) {
         if constexpr (dimension > few_components) {
@@ -130,7 +131,7 @@ struct VelocityLanes : StepMemory<Vector> {
         }
     }
 
-    /// W_i = h K Lp_i.
+    /// Sets W_i = h K Lp_i.
     template <class System>
     [[gnu::always_inline]] void drifts(const System& system) {
         if constexpr (System::has_diagonal_mass) {
@@ -167,14 +168,14 @@ struct VelocityLanes : StepMemory<Vector> {
             [&](auto k) { return exact_sum_of<stages>(&Lp[index(k)].at[0]); });
     }
 
-    /// w + sum_j (1 - c_j) W_j.
+    /// Returns w + sum_j (1 - c_j) W_j.
     [[nodiscard]] Scalar increment_q(const Table& table, std::size_t k) const {
         return detail::at(free_path, k) + near_of_q(table, k);
     }
 
-    /// What the rounding of component k of Q is to be compared with.
+    /// Returns the size that the rounding of component k of Q is compared with.
     ///
-    /// NOTE: a stage may be near 0 where q is not, and moves by what q is rounded to.
+    /// NOTE: a stage may be near 0 where q is not, and it moves by the rounding of q.
     [[nodiscard]] Scalar size_q(std::size_t k) const {
         return detail::abs(detail::at(this->at.q, k)) + detail::abs(detail::at(free_path, k)) +
                sum(abs(Lane(Q[k])) + abs(Lane(W[k])));
@@ -183,7 +184,7 @@ struct VelocityLanes : StepMemory<Vector> {
     // ---- one stage, for Newton's method; see VelocityStages ----
 
     [[nodiscard]] Vector position(std::size_t j) const { return lane_of<Vector>(Q, j); }
-    /// Between the stages in the middle.
+    /// Returns the middle stage, or the mean of the two stages in the middle.
     [[nodiscard]] Vector middle() const { return middle_of<Vector>(Q); }
     [[nodiscard]] Scalar force(std::size_t j, std::size_t k) const { return Lp[k][j]; }
     void set_force(std::size_t j, std::size_t k, Scalar value) { Lp[k].set(j, value); }
@@ -195,12 +196,13 @@ private:
 
     [[nodiscard]] Scalar factor(std::size_t k) const { return detail::at(factors_.all(), k); }
 
-    /// The way of q beside the path of the momenta: sum_j (1 - c_j) W_j, and the rest of that.
+    /// Returns the motion of q beside the free path: sum_j (1 - c_j) W_j, and the rest of that
+    /// path.
     [[nodiscard]] Scalar near_of_q(const Table& table, std::size_t k) const {
         return detail::at(rest_of_path, k) + sum_of_lanes(Lane(table.left) * Lane(W[k]));
     }
 
-    /// The sum of the forces Lp_j, each times the factor of momenta and rounded.
+    /// Returns the sum of the forces Lp_j, each times the factor of momenta and rounded.
     template <class System>
     [[nodiscard]] Pair<Scalar> kick_of(const System&, std::size_t k) const {
         if constexpr (System::has_diagonal_mass) {
@@ -212,7 +214,7 @@ private:
     }
 
     PathFactors<Vector> factors_;
-    Scalar weighed_ = 0;  ///< the step size of hb and the factors
+    Scalar weighed_ = 0;  ///< step size of hb and the factors
 };
 
 }  // namespace hvi::detail

@@ -13,15 +13,16 @@
 
 namespace hvi::detail {
 
-/// Where rows and columns of a matrix go, for its entries to be near the diagonal: of a chain they
-/// stay, and the two halves of a ring are laid side by side. Each row is followed by those that it
-/// is coupled with, those with few others first (Cuthill & McKee, Reducing the bandwidth of sparse
-/// symmetric matrices, 1969), from one on that is as far as possible from some other.
+/// An order of rows and columns that brings the entries of a matrix near the diagonal. The order of
+/// a chain stays, and the two halves of a ring are laid side by side. Each row is followed by the
+/// rows that it is coupled with, rows with few couplings first (Cuthill & McKee, Reducing the
+/// bandwidth of sparse symmetric matrices, 1969). The first row is as far as possible from some
+/// other.
 class NarrowOrder {
 public:
     NarrowOrder() = default;
 
-    /// Precondition: where entry i, j is, so is j, i.
+    /// Precondition: the places of entries are symmetric.
     template <class Scalar>
     explicit NarrowOrder(const SparseMatrix<Scalar>& matrix)
         : place_(matrix.size(), unseen), seen_(matrix.size(), 0) {
@@ -41,16 +42,16 @@ public:
         });
     }
 
-    /// Row i goes there.
+    /// Returns the new place of row i.
     [[nodiscard]] std::size_t operator[](std::size_t i) const { return place_[i]; }
     [[nodiscard]] std::size_t size() const { return place_.size(); }
-    /// How far entries are from the diagonal at most.
+    /// Returns the largest distance of an entry from the diagonal.
     [[nodiscard]] std::size_t width() const { return width_; }
 
 private:
     static constexpr std::size_t unseen = static_cast<std::size_t>(-1);
 
-    /// All rows that are coupled with `start` through others, the nearest first.
+    /// Returns all rows that are coupled with `start` through others, the nearest first.
     template <class Scalar>
     [[nodiscard]] std::vector<std::size_t> around(const SparseMatrix<Scalar>& matrix,
                                                   std::size_t start) {
@@ -78,11 +79,11 @@ private:
     }
 
     std::vector<std::size_t> place_;
-    std::vector<std::size_t> seen_;  ///< in which round
+    std::vector<std::size_t> seen_;  ///< round of the search in which each row was seen last
     std::size_t round_ = 0, width_ = 0;
 };
 
-/// a b, without the care for infinities that operator* of complex numbers takes.
+/// Returns a b, without the care for infinities that operator* of complex numbers takes.
 template <class Number>
 [[nodiscard]] inline Number product(const Number& a, const Number& b) {
     return a * b;
@@ -93,14 +94,15 @@ template <class Scalar>
     return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
 }
 
-/// The factors L and U of 1 + factor * matrix, real or complex, whose rows were exchanged within
-/// the band (Golub & Van Loan, Matrix Computations, Section 4.3.3).
+/// Factors L and U of 1 + factor * matrix, real or complex, with row exchanges within the band
+/// (Golub & Van Loan, Matrix Computations, Section 4.3.3).
 template <class Number>
 class BandFactors {
 public:
     using Order = NarrowOrder;
 
-    /// False where the matrix is singular, or not finite. Allocates when its size changes.
+    /// Computes the factors. Returns false where the matrix is singular, or not finite. Allocates
+    /// when its size changes.
     template <class Scalar>
     [[nodiscard]] bool compute(const SparseMatrix<Scalar>& matrix, const Number& factor,
                                const NarrowOrder& order) {
@@ -137,12 +139,12 @@ public:
     }
 
 private:
-    /// Row i holds the columns i - w to i + 2 w.
+    /// Returns an entry. Row i holds the columns i - w to i + 2 w.
     [[nodiscard]] Number& at(std::size_t i, std::size_t j) {
         return entries_[i * (3 * w_ + 1) + (j + w_ - i)];
     }
 
-    /// The size of a number for the choice of a pivot; of a complex one that of both parts.
+    /// Returns the size of a number for the choice of a pivot: for a complex number |re| + |im|.
     template <class Real>
     [[nodiscard]] static Real size(const Real& x) {
         return abs(x);
@@ -152,17 +154,17 @@ private:
         return abs(x.real()) + abs(x.imag());
     }
 
-    /// One behind the last of k and those before it.
+    /// Returns one more than the last row or column up to k that exists.
     [[nodiscard]] std::size_t end(std::size_t k) const { return std::min(k + 1, n_); }
 
-    /// Column k below the diagonal, which then holds the inverse of the pivot.
+    /// Eliminates column k below the diagonal, and replaces the pivot by its inverse.
     [[nodiscard]] bool eliminate(std::size_t k) {
         std::size_t row = k;
         for (std::size_t i = k + 1; i < end(k + w_); ++i) {
             if (size(at(i, k)) > size(at(row, k))) { row = i; }
         }
         pivots_[k] = row;
-        // NOTE: what was eliminated from the two rows before stays where it is, see solve().
+        // NOTE: the multipliers of the two rows before stay where they are, see solve().
         for (std::size_t j = k; row != k && j < end(k + 2 * w_); ++j) {
             std::swap(at(k, j), at(row, j));
         }

@@ -33,7 +33,7 @@ public:
         return true;
     }
 
-    /// All zeros. Allocates when the size changes.
+    /// Sets the size, and all entries to zero. Allocates when the size changes.
     void set_zero(std::size_t size) {
         size_ = size;
         entries_.assign(size * size, Scalar(0));
@@ -49,14 +49,15 @@ private:
     std::vector<Scalar> entries_;
 };
 
-/// The factors L and U of a matrix whose rows were exchanged.
+/// Factors L and U of a matrix, with row exchanges.
 ///
-/// NOTE: those of Eigen do the same, and to compile them takes ten times as long as the rest of a
-/// scene's stepper, whose systems are small.
+/// NOTE: factors of Eigen have the same result, but take ten times as long to compile as the rest
+/// of a scene's stepper, whose systems are small.
 template <class Scalar>
 class Factors {
 public:
-    /// False where the matrix is singular, or not finite. Allocates when its size changes.
+    /// Computes the factors. Returns false where the matrix is singular, or not finite. Allocates
+    /// when its size changes.
     [[nodiscard]] bool compute(const SquareMatrix<Scalar>& matrix) {
         rows_ = matrix;
         pivots_.resize(matrix.size());
@@ -72,7 +73,7 @@ public:
 
     /// Replaces the right side b by the solution.
     void solve(Scalar* b) const { solve(b, rows_.size()); }
-    /// Solves for a matrix whose size n the compiler knows, and with it the end of b.
+    /// Replaces the right side b by the solution, for a size n that the compiler knows.
     void solve(Scalar* b, std::size_t n) const {
         for (std::size_t k = 0; k < n; ++k) { std::swap(b[k], b[pivots_[k]]); }
         for (std::size_t k = 0; k < n; ++k) {
@@ -93,7 +94,7 @@ private:
         return row;
     }
 
-    /// With the factors of L that stand to the left.
+    /// Exchanges two rows, with the factors of L to their left.
     void exchange(std::size_t k, std::size_t row) {
         if (row == k) { return; }
         for (std::size_t j = 0; j < rows_.size(); ++j) { std::swap(rows_(k, j), rows_(row, j)); }
@@ -105,7 +106,7 @@ private:
         for (std::size_t j = k + 1; j < rows_.size(); ++j) { rows_(i, j) -= factor * rows_(k, j); }
     }
 
-    SquareMatrix<Scalar> rows_;  ///< U, and below its diagonal L without its own
+    SquareMatrix<Scalar> rows_;  ///< U, and below its diagonal L without its unit diagonal
     std::vector<std::size_t> pivots_;
 };
 

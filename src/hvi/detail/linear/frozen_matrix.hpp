@@ -11,14 +11,15 @@
 
 namespace hvi::detail {
 
-/// A square matrix, its inverse and its factors. NOTE: a product with the inverse is good enough
-/// for what only says how an iteration gets to its end, not where that is; what is a result itself
-/// is solved for with the factors, whose residual is that of rounding however singular the matrix
-/// nearly is. Precondition: vectors are of fixed size.
+/// A square matrix, its inverse and its factors. NOTE: products with the inverse are good enough
+/// for values that affect only the way of an iteration, not its end. Results are solved for with
+/// the factors, whose residual is at rounding level however nearly singular the matrix is.
+/// Precondition: vectors are of fixed size.
 template <class Vector>
 class FrozenMatrix {
 public:
-    /// `fill` sets the entries that are not zero. False where the matrix is singular or not finite.
+    /// Computes inverse and factors; `fill` sets the entries that are not zero. Returns false where
+    /// the matrix is singular or not finite.
     template <class Fill>
     [[nodiscard]] bool compute(Fill fill) {
         computed_.set_zero();
@@ -43,7 +44,7 @@ public:
     [[nodiscard]] Vector times(const Vector& v) const { return product(matrix_, v); }
     [[nodiscard]] Vector inverse_times(const Vector& v) const { return product(inverse_, v); }
 
-    /// The same by its factors.
+    /// Returns the inverse times v, by the factors.
     [[nodiscard]] Vector solve(const Vector& v) const {
         Scalar values[n];
         for (std::size_t i = 0; i < n; ++i) { values[i] = at(v, i); }

@@ -10,7 +10,7 @@
 
 namespace hvi::detail {
 
-/// The generalised minimal residual method (Saad & Schultz 1986), begun anew after `most_vectors`
+/// The generalised minimal residual method (Saad & Schultz 1986), restarted after `most_vectors`
 /// products, with a right preconditioner. NOTE: sums run over components in their order, so that
 /// the bits do not depend on threads.
 template <class Scalar>
@@ -19,13 +19,14 @@ public:
     static constexpr std::size_t most_vectors = 40;
     static constexpr std::size_t most_rounds = 25;
 
-    /// Replaces the right side b by x, with a residual below tolerance |b|. False where that is not
-    /// reached; b is then the best that was found. `apply(x, out)` sets out = A x, and
+    /// Replaces the right side b by x, with a residual below tolerance |b|. Returns false where
+    /// that is not reached; b is then the best solution found. `apply(x, out)` sets out = A x, and
     /// `precondition(x)` replaces x by about A^-1 x.
     template <class Apply, class Precondition>
     bool solve(std::vector<Scalar>& b, Scalar tolerance, Apply&& apply,
                Precondition&& precondition) {
-        // NOTE: of the largest, as squares may be beyond the range of numbers where these are not.
+        // NOTE: scaled by the largest, as squares may be beyond the range of numbers where these
+        // are not.
         Scalar unit = 0;
         for (const Scalar& each : b) { unit = larger(unit, abs(each)); }
         if (!(unit > 0)) { return unit == 0; }
@@ -62,7 +63,7 @@ private:
     }
     [[nodiscard]] static Scalar norm(const std::vector<Scalar>& x) { return math::sqrt(dot(x, x)); }
 
-    /// Sets step_ to what lessens the residual most among the first products with it.
+    /// Sets step_ to the combination of the first products that lessens the residual most.
     template <class Apply, class Precondition>
     void expand(Scalar size, Scalar goal, Apply& apply, Precondition& precondition) {
         set_vector(0, residual_, size);
@@ -88,7 +89,7 @@ private:
         for (std::size_t i = 0; i < from.size(); ++i) { vectors_[k][i] = from[i] / length; }
     }
 
-    /// Takes from product_ what the vectors have of it; returns the length of the rest.
+    /// Subtracts from product_ its components along the vectors. Returns the length of the rest.
     [[nodiscard]] Scalar orthogonalise(std::size_t last) {
         for (std::size_t k = 0; k <= last; ++k) {
             const std::vector<Scalar>& v = vectors_[k];
@@ -98,7 +99,7 @@ private:
         return norm(product_);
     }
 
-    /// By Givens' rotations the matrix of the products becomes triangular.
+    /// Makes the matrix of the products triangular by Givens rotations.
     void rotate(std::size_t k, Scalar length) {
         for (std::size_t i = 0; i < k; ++i) {
             const Scalar above = h_[i][k], below = h_[i + 1][k];

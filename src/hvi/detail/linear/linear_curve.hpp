@@ -20,19 +20,20 @@ namespace hvi::detail {
 ///     Q_i = q + sum_j A_ij W_j,    sum_j X_ij W_j = h b_i dH/dp(Q_i, P_i),
 ///     sum_i X_ij Y_i = sum_i D_ij Lp_i,    Lp_i = -h b_i dH/dq(Q_i, P_i),
 ///
-/// which is linear in these. Each unknown has a column of the system, and what it comes to has one
-/// for each component of the state and one for r. It is symplectic when A_ij + D_ij == B_j and B_j
-/// is the sum of the X_ij over i, however these were rounded; see Curve.
+/// The equations are linear in W and Y. Each unknown has a column of the system. Its solution has a
+/// column for each component of the state and one for r. The step is symplectic when A_ij + D_ij ==
+/// B_j and B_j is the sum of the X_ij over i, however these were rounded; see Curve.
 template <class Scalar, std::size_t n, std::size_t nodes, std::size_t functions>
 class LinearCurve {
 public:
     using Table = Scalar[nodes][functions];
 
-    /// The tables are not copied.
+    /// Keeps references to the tables.
     LinearCurve(const Quadratic<Scalar, n>& H, const Table& X, const Table& A, const Table& D)
         : H_(H), X_(X), A_(A), D_(D) {}
 
-    /// `hb`: h b_i. Empty where the equations are singular or not finite.
+    /// Returns R - 1 and r, with hb_i = h b_i; empty where the equations are singular or not
+    /// finite.
     [[nodiscard]] std::optional<Increments<Scalar, n>>
     increments(const std::array<Scalar, nodes>& hb, const Scalar (&B)[functions]) {
         system_ = {};
@@ -53,7 +54,7 @@ private:
     using Number = Pair<Scalar>;
     using Vector = std::array<Scalar, n>;
     static constexpr std::size_t N = n * (functions + nodes);
-    /// Something linear in W, Y, (q, p) and 1.
+    /// A linear function of W, Y, (q, p) and 1.
     using Row = std::array<Number, N + 2 * n + 1>;
 
     [[nodiscard]] static std::size_t place_of_W(std::size_t j, std::size_t k) { return j * n + k; }
@@ -61,7 +62,7 @@ private:
         return (functions + i) * n + k;
     }
 
-    /// weight times the component by_q Q_i + by_p P_i + at_origin of a derivative of H.
+    /// Returns weight times by_q Q_i + by_p P_i + at_origin, a component of a derivative of H.
     [[nodiscard]] Row slope(Scalar weight, const Vector& by_q, const Vector& by_p, Scalar at_origin,
                             std::size_t i) const {
         Row row{};
@@ -77,7 +78,7 @@ private:
         return row;
     }
 
-    /// The equation at node i.
+    /// Sets the equation at node i.
     void set_velocity(std::size_t i, std::size_t k, Scalar weight) {
         Vector by_q{};
         for (std::size_t l = 0; l < n; ++l) { by_q[l] = H_.qp[l][k]; }
@@ -89,7 +90,7 @@ private:
         }
     }
 
-    /// The equation of function j.
+    /// Sets the equation of function j.
     void set_momentum(std::size_t j, std::size_t k) {
         Row& row = system_.rows[place_of_W(j, k)];
         for (std::size_t i = 0; i < nodes; ++i) {
@@ -104,13 +105,13 @@ private:
         }
     }
 
-    /// What stands on the right with the unknowns too, as a row of the system.
+    /// Returns a row of the system: the part of the unknowns is moved to the left side.
     [[nodiscard]] static Row moved_left(Row row) {
         for (std::size_t m = 0; m < N; ++m) { row[m] = -row[m]; }
         return row;
     }
 
-    /// sum_j B_j W_j, and sum_i Lp_i.
+    /// Returns sum_j B_j W_j, and sum_i Lp_i.
     [[nodiscard]] Increments<Scalar, n> sums(const Scalar (&B)[functions]) const {
         Increments<Scalar, n> result{};
         for (std::size_t k = 0; k < n; ++k) {
@@ -127,7 +128,7 @@ private:
         return result;
     }
 
-    /// What it has of component m of (q, p, 1), with the solution in it.
+    /// Returns the coefficient of component m of (q, p, 1) in the row, with the solution inserted.
     [[nodiscard]] Number value(const Row& row, std::size_t m) const {
         Number sum = row[N + m];
         for (std::size_t u = 0; u < N; ++u) {

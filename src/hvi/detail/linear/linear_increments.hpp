@@ -24,17 +24,17 @@ namespace hvi::detail {
 
 /// x' = x + (D x + r) for x = (q, p): one step of a quadratic H with n degrees of freedom.
 ///
-/// D = R - 1 has twice the digits, and so R is symplectic to twice the digits; x is summed up with
+/// D = R - 1 has twice the digits, so that R is symplectic to twice the digits. x is summed up with
 /// compensation. Rounded entries of R, or of D, would let the energy drift.
 template <class Scalar, std::size_t n>
 class LinearIncrements {
 public:
-    Status status;                 ///< where it is not ok there is no map
+    Status status;                 ///< not ok: there is no map
     Increments<Scalar, n> rows{};  ///< (D r)
 
     LinearIncrements() = default;
 
-    /// The coefficients are those of LinearStages, the weights those of Lq and of Lp.
+    /// Computes the step from the coefficients of LinearStages and the weights of Lq and of Lp.
     /// Precondition: H.qp is zero, or r is s.
     template <std::size_t r, std::size_t s>
     LinearIncrements(Scalar h, const Quadratic<Scalar, n>& H, const Scalar (&m)[r][s],
@@ -46,7 +46,7 @@ public:
         });
     }
 
-    /// The tables are those of LinearCurve, b its weights.
+    /// Computes the step from the tables of LinearCurve and its weights b.
     template <std::size_t r, std::size_t s>
     LinearIncrements(Scalar h, const Quadratic<Scalar, n>& H, const Scalar (&X)[r][s],
                      const Scalar (&A)[r][s], const Scalar (&D)[r][s], const Scalar (&B)[s],
@@ -58,8 +58,8 @@ public:
         });
     }
 
-    /// Of steps of the parts gamma of h in a row. Every second one is of the adjoint, in which A
-    /// and D change places: where the method is its own, these are the same step.
+    /// Computes the steps of sizes gamma h in a row. Every second one is a step of the adjoint, in
+    /// which A and D change places. Where the method is its own adjoint, both are the same step.
     template <std::size_t r, std::size_t s, std::size_t k>
     LinearIncrements(Scalar h, const Quadratic<Scalar, n>& H, const Scalar (&X)[r][s],
                      const Scalar (&A)[r][s], const Scalar (&D)[r][s], const Scalar (&B)[s],
@@ -79,7 +79,8 @@ public:
 
     /// Takes the step from s.at and its remainder. Preconditions: the status is ok, s has begun.
     ///
-    /// NOTE: where it is long it is apart, so that compilers inline the shears beside it instead.
+    /// NOTE: a long step is a function of its own, so that compilers inline the shears beside it
+    /// instead.
     template <class Vector>
     void add_to(StepMemory<Vector>& s) const {
         if constexpr (n == 1) {
@@ -92,7 +93,7 @@ public:
 private:
     using Number = Pair<Scalar>;
 
-    /// `solve` returns the rows, or nothing.
+    /// Sets the rows; `solve` returns them, or nothing.
     template <class Solve>
     void set(Scalar h, Solve solve) {
         if (!is_finite(h)) { return; }
@@ -109,7 +110,7 @@ private:
         }
     }
 
-    /// (1 + E) (1 + D) - 1 = D + E + E D, and the same of the offsets.
+    /// Sets D to (1 + E) (1 + D) - 1 = D + E + E D, and the offsets accordingly.
     void append(const Increments<Scalar, n>& E) {
         Increments<Scalar, n> both = rows;
         for (std::size_t i = 0; i < 2 * n; ++i) {
@@ -147,11 +148,10 @@ private:
         }
     }
 
-    /// One component of x, and what is cut off from it: (x, e) += row (x, e, 1).
+    /// Advances one component of x and its remainder: (x, e) += row (x, e, 1).
     ///
-    /// NOTE: products are rounded, which does no harm; sums are not. To add the small terms to the
-    /// increment first made the energy drift, by 2e-13 in 10^6 steps, and sums that are rounded too
-    /// by 1e-12.
+    /// NOTE: rounded products do no harm; rounded sums do. Adding the small terms to the increment
+    /// first made the energy drift, by 2e-13 in 10^6 steps, and rounded sums by 1e-12.
     static void add(const std::array<Number, 2 * n + 1>& row, const std::array<Scalar, 2 * n>& x,
                     const std::array<Scalar, 2 * n>& e, Scalar& value, Scalar& cut_off) {
         Scalar increment = row[2 * n].hi;

@@ -27,41 +27,42 @@ namespace hvi::detail {
 /// powers of h, made of products K G K ... K and G K G ... G. A shear with a symmetric matrix is
 /// symplectic whatever its entries were rounded to. So the energy does not drift, as it does with
 /// rounded entries of R, which is then not symplectic. The last shear of a step and the first of
-/// the next one are one, p += (X + Y) q. Where B is singular, as for H = q p, or R is nearly -1,
+/// the next one become one, p += (X + Y) q. Where B is singular, as for H = q p, or R is nearly -1,
 /// there are no such shears, and the step is that of LinearIncrements. `shifted`: r is not zero.
 ///
-/// NOTE: a step waits for the q and for the momentum between the shears of the step before, and for
-/// nothing else. For n = 1 that momentum is measured in units of 1/B: an addition then moves q.
+/// NOTE: a step waits only for the q and for the momentum between the shears of the step before.
+/// For n = 1 that momentum is measured in units of 1/B: an addition then moves q.
 template <class Scalar, std::size_t n, bool shifted>
 class LinearMap {
 public:
-    using Vector = std::array<Scalar, n>;  ///< its own; states may hold others
+    using Vector = std::array<Scalar, n>;  ///< type of its own; states may hold others
 
     LinearMap() = default;
 
-    /// The tables are those of LinearIncrements. Precondition: H.qp is zero, or n is 1 and, of
-    /// stages, r is s.
+    /// Computes the map from the tables of LinearIncrements. Precondition: H.qp is zero, or n is 1
+    /// and, for stages, r is s.
     template <class... Tables>
     LinearMap(Scalar h, const Quadratic<Scalar, n>& H, const Tables&... tables)
         : increments_(h, H, tables...) {
         is_sheared_ = status().ok() && set_shears(increments_.rows);
     }
 
-    /// Where it is not ok there is no map.
+    /// Returns the status. Where it is not ok there is no map.
     [[nodiscard]] const Status& status() const { return increments_.status; }
 
-    /// The step without shears.
+    /// Returns the step without shears.
     [[nodiscard]] const LinearIncrements<Scalar, n>& increments() const { return increments_; }
 
-    /// Whether there are shears, and so a momentum `middle` between them.
+    /// Returns whether there are shears, and so a momentum `middle` between them.
     [[nodiscard]] bool is_sheared() const { return is_sheared_; }
 
-    /// Where a step ends, and the momentum between its shears.
+    /// End of a step, and the momentum between its shears.
     struct End {
         Vector q{}, p{}, middle{};
     };
 
-    /// The step from q, where the last one ended, and its `middle`; no step without shears.
+    /// Returns the end of a step from q, where the last step ended with `middle`. Precondition:
+    /// there are shears.
     template <class AnyVector>
     [[nodiscard]] End after(const AnyVector& q, const Vector& middle) const {
         End end;
@@ -77,7 +78,7 @@ public:
         return end;
     }
 
-    /// A vector of its own with the components of another.
+    /// Returns a vector of the own type with the components of another.
     template <class AnyVector>
     [[nodiscard]] static Vector own(const AnyVector& v) {
         Vector copy{};
@@ -85,8 +86,8 @@ public:
         return copy;
     }
 
-    /// A step from any (q, p); `middle` is that of the last step if it `is_last` that ended here.
-    /// Unless the status is ok nothing is changed. Precondition: there are shears.
+    /// Takes a step from any (q, p). `is_last` says that the last step ended here and left
+    /// `middle`. Unless the status is ok nothing is changed. Precondition: there are shears.
     [[nodiscard, gnu::cold]] Status step(Vector& q, Vector& p, Vector& middle, bool is_last) const {
         const End end = after(q, is_last ? middle : middle_before(q, p));
         for (std::size_t k = 0; k < n; ++k) {
@@ -104,7 +105,7 @@ private:
     using Matrix = std::array<Vector, n>;  // by columns
     using Number = Pair<Scalar>;
 
-    /// What the last step would have left in `middle`, had it ended at (q, p).
+    /// Returns the value of `middle` that a last step ending at (q, p) would have left.
     [[nodiscard]] Vector middle_before(const Vector& q, const Vector& p) const {
         const Vector last = plus(shifted ? after_ : Vector{}, X_, q);
         Vector middle{};
@@ -112,7 +113,7 @@ private:
         return middle;
     }
 
-    /// x + M y.
+    /// Returns x + M y.
     template <class AnyVector>
     [[nodiscard]] static Vector plus(Vector x, const Matrix& M, const AnyVector& y) {
         for (std::size_t j = 0; j < n; ++j) {
@@ -128,10 +129,10 @@ private:
         return x;
     }
 
-    /// Of B (Y, X^T, y) = (A - 1, (D - 1)^T, r_q).
+    /// Linear equations B (Y, X^T, y) = (A - 1, (D - 1)^T, r_q).
     using Shears = LinearSystem<Scalar, n, 2 * n + 1>;
 
-    /// False where there are no shears, or they would lose digits.
+    /// Sets the shears. Returns false where there are none, or they would lose digits.
     [[nodiscard]] bool set_shears(const Increments<Scalar, n>& D) {
         Shears shears;
         for (std::size_t i = 0; i < n; ++i) {
@@ -154,7 +155,7 @@ private:
         B_ = symmetric(B);
         X_ = symmetric(X);
         XY_ = symmetric([&](std::size_t i, std::size_t j) { return (X(i, j) + Y(i, j)) * scale; });
-        // The offset r as a shift of p before q moves, and one after it.
+        // The offset r becomes a shift of p before q moves, and one after it.
         for (std::size_t i = 0; i < n; ++i) {
             Number between = D[n + i][2 * n];
             for (std::size_t j = 0; j < n; ++j) { between = between - X(i, j) * D[j][2 * n]; }
@@ -164,7 +165,7 @@ private:
         return true;
     }
 
-    /// The upper triangle, and its mirror image.
+    /// Returns a matrix from its upper triangle, mirrored.
     template <class Entry>
     [[nodiscard]] static Matrix symmetric(Entry entry) {
         Matrix result{};
@@ -174,9 +175,9 @@ private:
         return result;
     }
 
-    /// Whether S = X or Y is not large against the frequencies, the square roots of -C B^-1, and is
-    /// as symmetric as it is without rounding: it is not where B is nearly singular. Row by row,
-    /// and in products with B, which have no dimension.
+    /// Returns whether S = X or Y is not large against the frequencies, the square roots of -C
+    /// B^-1, and is symmetric up to rounding. It is neither where B is nearly singular. The test
+    /// goes row by row, and over products with B, which have no dimension.
     template <class Entry>
     [[nodiscard]] static bool keeps_digits(const Increments<Scalar, n>& D, Entry S) {
         constexpr Scalar most = 1024;
@@ -196,7 +197,7 @@ private:
     }
 
     LinearIncrements<Scalar, n> increments_;
-    Matrix B_{}, X_{}, XY_{};  // XY_ is X + Y, by units of `middle`
+    Matrix B_{}, X_{}, XY_{};  // XY_ is X + Y, in units of `middle`
     Vector between_{}, after_{};
     Scalar unit_ = 1;  // of `middle`
     bool is_sheared_ = false;

@@ -28,8 +28,8 @@ struct Quadratic {
 template <class Scalar, std::size_t n>
 using Increments = std::array<std::array<Pair<Scalar>, 2 * n + 1>, 2 * n>;
 
-/// The equations (4.18) with m_ij = a_ij/b_j and mt_ij = a~_ij/b_j, linear in Lq = h b dH/dp and in
-/// Lp = -h b dH/dq. Each unknown has a column of the system, and what it comes to has one for each
+/// Equations (4.18) with m_ij = a_ij/b_j and mt_ij = a~_ij/b_j, linear in Lq = h b dH/dp and in Lp
+/// = -h b dH/dq. Each unknown has a column of the system. Its solution has a column for each
 /// component of the state and one for r.
 template <class Scalar, std::size_t n, std::size_t r, std::size_t s>
 class LinearStages {
@@ -37,12 +37,13 @@ public:
     using Table = Scalar[r][s];
     using Partner = Scalar[s][r];
 
-    /// The tables are not copied. Where H.qp is not 0 there are as many positions as momenta.
+    /// Keeps references to the tables. Precondition: H.qp is 0, or there are as many positions as
+    /// momenta.
     LinearStages(const Quadratic<Scalar, n>& H, const Table& m, const Partner& mt)
         : H_(H), m_(m), mt_(mt) {}
 
-    /// `hb_q`: h b_j of the Lq_j; `hb_p`: h b_i of the Lp_i. Empty where the equations are singular
-    /// or not finite.
+    /// Returns R - 1 and r, with h b_j of the Lq_j in `hb_q` and h b_i of the Lp_i in `hb_p`; empty
+    /// where the equations are singular or not finite.
     [[nodiscard]] std::optional<Increments<Scalar, n>>
     increments(const std::array<Scalar, s>& hb_q, const std::array<Scalar, r>& hb_p) {
         system_ = {};
@@ -61,7 +62,7 @@ private:
     using Number = Pair<Scalar>;
     static constexpr std::size_t N = n * (r + s);
 
-    /// by_q Q + by_p P + at_origin: a component of a derivative of H.
+    /// A component of a derivative of H: by_q Q + by_p P + at_origin.
     struct Slope {
         std::array<Scalar, n> by_q, by_p;
         Scalar at_origin;
@@ -69,7 +70,7 @@ private:
 
     [[nodiscard]] static Number product(Scalar x, Scalar y) { return Number{x} * Number{y}; }
 
-    /// The equation of an unknown: it is `weight` times the slope at Q_i, P_i.
+    /// Sets the equation of an unknown: it equals `weight` times the slope at Q_i, P_i.
     void set(std::size_t unknown, Scalar weight, const Slope& slope, std::size_t i) {
         auto& row = system_.rows[unknown];
         for (std::size_t l = 0; l < n; ++l) {
@@ -88,7 +89,7 @@ private:
         row[N + 2 * n] = product(weight, slope.at_origin);
     }
 
-    /// Of Lq, and of Lp.
+    /// Returns the sums of Lq, and of Lp.
     [[nodiscard]] Increments<Scalar, n> sums() const {
         Increments<Scalar, n> result{};
         for (std::size_t k = 0; k < N; ++k) {

@@ -23,8 +23,8 @@ public:
 
     std::array<std::array<Number, N + columns>, N> rows{};  ///< the matrix, then the right sides
 
-    /// Replaces the right sides by the solutions (Gauss with row pivots); false where the matrix is
-    /// singular, or not finite.
+    /// Replaces the right sides by the solutions (Gauss with row pivots). Returns false where the
+    /// matrix is singular, or not finite.
     [[nodiscard]] bool solve() {
         for (std::size_t k = 0; k < N; ++k) {
             std::size_t pivot = k;

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-// NOTE: where no directory of Eigen is named to the compiler, it is where systems have it.
+// NOTE: where the compiler's options name no directory of Eigen, the usual one of systems is taken.
 #if __has_include(<Eigen/SparseLU>)
 #include <Eigen/SparseCore>
 #include <Eigen/SparseLU>
@@ -19,7 +19,7 @@
 
 namespace hvi::detail {
 
-/// There is none: Eigen finds an order for each matrix that has few entries in its factors.
+/// An empty order: Eigen finds an order for each matrix that has few entries in its factors.
 class OrderOfEigen {
 public:
     OrderOfEigen() = default;
@@ -27,8 +27,8 @@ public:
     explicit OrderOfEigen(const SparseMatrix<Scalar>&) {}
 };
 
-/// The factors L and U of 1 + factor * matrix, real or complex, whose rows were exchanged. Where
-/// entries are is looked at once for each size.
+/// Factors L and U of 1 + factor * matrix, real or complex, with row exchanges. The pattern of
+/// entries is analysed once for each size.
 template <class Number>
 class SparseLuFactors {
 public:
@@ -36,7 +36,7 @@ public:
 
     SparseLuFactors() = default;
     ~SparseLuFactors() = default;
-    /// NOTE: factors of Eigen have no copies; those of the same matrix have the same bits.
+    /// NOTE: factors of Eigen cannot be copied; factors of the same matrix have the same bits.
     SparseLuFactors(const SparseLuFactors& other) { *this = other; }
     SparseLuFactors& operator=(const SparseLuFactors& other) {
         matrix_ = other.matrix_;
@@ -44,7 +44,7 @@ public:
         return *this;
     }
 
-    /// False where the matrix is singular, or not finite.
+    /// Computes the factors. Returns false where the matrix is singular, or not finite.
     template <class Scalar>
     [[nodiscard]] bool compute(const SparseMatrix<Scalar>& matrix, const Number& factor,
                                const OrderOfEigen&) {

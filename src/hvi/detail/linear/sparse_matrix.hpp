@@ -11,10 +11,10 @@
 
 namespace hvi::detail {
 
-/// The places of entries, row by row, and the entries. Places are found once, and stay.
+/// Places of entries, row by row, and the entries. Places are found once, and stay.
 ///
-/// Whoever makes the matrix is a function `entries(out)` that calls out.add(i, j, value) for all of
-/// them, those at one place being added. It may leave out none that it had when places were found.
+/// A matrix is made by a function `entries(out)` that calls out.add(i, j, value) for all entries;
+/// values at one place are added. Later calls may set only places that were found at first.
 template <class Scalar>
 class SparseMatrix {
 public:
@@ -37,7 +37,7 @@ public:
         values_.assign(columns_.size(), Scalar(0));
     }
 
-    /// Precondition: find_places() was called.
+    /// Sets the entries. Precondition: find_places() was called.
     template <class Entries>
     void set(Entries&& entries) {
         std::fill(values_.begin(), values_.end(), Scalar(0));
@@ -69,7 +69,7 @@ public:
         }
     }
 
-    /// Row i times x, which has an operator[].
+    /// Returns row i times x, which has an operator[].
     template <class X>
     [[nodiscard]] Scalar times(Index i, const X& x) const {
         Scalar sum = 0;
@@ -82,7 +82,7 @@ public:
                            [](const Scalar& value) { return detail::is_finite(value); });
     }
 
-    /// The columns of row i, ascending.
+    /// Return the columns of row i, ascending.
     [[nodiscard]] const Index* begin_of(Index i) const { return columns_.data() + rows_[i]; }
     [[nodiscard]] const Index* end_of(Index i) const { return columns_.data() + rows_[i + 1]; }
 

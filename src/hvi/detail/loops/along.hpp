@@ -1,10 +1,10 @@
 // Loops over the innermost index of a sum, in lanes.
 // SPDX-License-Identifier: MIT
 //
-// Of a term of H that is a sum over pairs each pair is evaluated once, and its derivatives are
-// added where they belong: those by what does not depend on the inner index j to a Total, which is
-// one number when the loop has ended, those by x[j], x[j+1], ... to as many numbers that follow one
-// another.
+// A term of H that is a sum over pairs is evaluated once for each pair, and its derivatives are
+// added where they belong. Derivatives by variables that do not depend on the inner index j go to a
+// Total, which is one number when the loop has ended. Derivatives by x[j], x[j+1], ... go to as
+// many consecutive numbers.
 #pragma once
 
 #include <cstddef>
@@ -13,8 +13,9 @@
 #include <hvi/detail/loops/stretch.hpp>
 #include <hvi/detail/numbers/compensated.hpp>
 
-/// Of the lambda that along() calls: between its parameters and its body. What it adds to stays in
-/// registers only where it is inlined. NOTE: [[...]] would be an attribute of its type there.
+/// Attribute of the lambda that along() calls, between its parameters and its body. Sums of the
+/// lambda stay in registers only where it is inlined. NOTE: [[...]] would be an attribute of its
+/// type there.
 #if defined(__GNUC__)
 #define HVI_INLINED __attribute__((always_inline))
 #else
@@ -23,7 +24,7 @@
 
 namespace hvi::detail {
 
-/// `width` numbers at once.
+/// Type of `width` numbers computed at once.
 template <class Scalar, std::size_t width>
 struct ManyNumbers {
     using type = Lanes<Scalar, width>;
@@ -33,12 +34,12 @@ struct ManyNumbers<Scalar, 1> {
     using type = Scalar;
 };
 
-/// Calls body(Stretch<Value>{}, j) until each j with first <= j < last has had its turn, in this
-/// order: with a single number, then 2 of them in Lanes, 4 and so on where what remains is no
-/// multiple of `width`, and then with Lanes of `width`. Precondition: width is a power of two.
+/// Calls body(Stretch<Value>{}, j) for stretches that cover all j with first <= j < last, in this
+/// order: a single number, then 2 numbers in Lanes, 4 and so on where the number of indices is no
+/// multiple of `width`, and then Lanes of `width`. Precondition: width is a power of two.
 ///
-/// What the body adds somewhere is of the kind of its stretch: a number that is the same for all j
-/// is one of them, unless stretch.spread() makes it as many.
+/// The body adds values of the type of its stretch. A number that does not depend on j is made one
+/// by stretch.spread().
 ///
 /// NOTE: the odd ones come first. Where `last` is the same for all outer indices, as in i < j,
 /// whole stretches stand at the same places each time: a processor loads at once what it has just
@@ -55,7 +56,7 @@ template <class Scalar, std::size_t width, class Body>
     for (Place j = first; j < last; j += Many::count) { body(Many(), j); }
 }
 
-/// to[0], to[1], ... += value.
+/// Adds the value to to[0], to[1], ...
 template <class Scalar>
 void add(Scalar* to, const Scalar& value) {
     *to = *to + value;
@@ -65,7 +66,8 @@ void add(Scalar* to, const Lanes<Scalar, width>& value) {
     (Lanes<Scalar, width>::load(to) + value).store(to);
 }
 
-/// to[0], to[1], ... -= value. NOTE: no compiler sees that adding -value is the same in registers.
+/// Subtracts the value from to[0], to[1], ... NOTE: no compiler sees that adding -value in
+/// registers has the same result.
 template <class Scalar>
 void subtract(Scalar* to, const Scalar& value) {
     *to = *to - value;
@@ -75,7 +77,7 @@ void subtract(Scalar* to, const Lanes<Scalar, width>& value) {
     (Lanes<Scalar, width>::load(to) - value).store(to);
 }
 
-/// The sum of what along<Scalar, width>() comes to, in lanes as long as it does.
+/// Total of the numbers that along<Scalar, width>() adds up, in lanes of its widths.
 template <class Scalar, std::size_t width>
 class Total {
 public:
@@ -103,8 +105,8 @@ private:
     Scalar sum_ = 0;
 };
 
-/// A sum of many numbers as if it were computed with twice the digits, and rounded once: of
-/// energies, which hardly change.
+/// Total of many numbers as if computed with twice the digits and rounded once. Energies, which
+/// hardly change, are summed by it.
 template <class Scalar>
 class CompensatedTotal {
 public:

@@ -11,21 +11,22 @@
 
 namespace hvi::detail {
 
-/// Into how many chunks so many outer indices are cut. Each has a vector of its own to add to, and
-/// inner loops are about as long as the outer one: what these vectors cost is a fixed part, below a
-/// hundredth, of what the pairs do. Of a million components they are four at most, for the memory.
+/// Returns the number of chunks that `indices` outer indices are cut into. Each chunk adds to a
+/// vector of its own, and inner loops are about as long as the outer one. So these vectors cost a
+/// fixed part, below a hundredth, of the work of the pairs. Vectors of a million components have
+/// four chunks at most, for the memory.
 [[nodiscard]] constexpr Place chunks_of(Place indices, std::size_t size) {
     constexpr std::size_t most_numbers = std::size_t{1} << 22;
     const auto fit = static_cast<Place>(most_numbers / std::max(size, std::size_t{1}));
     return std::max(std::min({indices / 128, Place{64}, fit}), Place{1});
 }
 
-/// out[0], ..., out[size - 1] += what part(from, to, stride, Scalar* out) adds there for the outer
+/// Adds to out[0], ..., out[size - 1] what part(from, to, stride, Scalar* out) adds for the outer
 /// indices from, from + stride, ... < to. Chunks interleave, so that they take equally long where
-/// inner loops become shorter or longer. How many there are depends on `last - first` and `size`
-/// alone, and they are added in their order: the bits are the same for any number of threads.
+/// inner loops become shorter or longer. The number of chunks depends on `last - first` and `size`
+/// alone, and chunks are added in their order: the bits do not depend on the number of threads.
 ///
-/// `memory` is kept from call to call, by each caller its own, and grows to a vector for each
+/// `memory` is kept from call to call, a vector for each caller, and grows to one vector for each
 /// chunk. Precondition: part throws nothing. Throws std::bad_alloc, before anything is added.
 template <class Scalar, class Part>
 void chunked(Team& team, Place first, Place last, Scalar* out, std::size_t size,

@@ -17,7 +17,7 @@
 
 namespace hvi::detail {
 
-/// Where the numbers of a column go.
+/// Name of a column, and the vector that its numbers go to.
 template <class Scalar>
 struct Column {
     std::string_view name;
@@ -28,7 +28,7 @@ struct Column {
     throw std::runtime_error(path.string() + ": " + fault);
 }
 
-/// Without blanks around it.
+/// Returns the text without blanks at its ends.
 [[nodiscard]] inline std::string_view without_blanks(std::string_view text) {
     constexpr std::string_view blanks = " \t\r\n";
     const std::size_t begin = text.find_first_not_of(blanks);
@@ -36,15 +36,15 @@ struct Column {
     return text.substr(begin, text.find_last_not_of(blanks) - begin + 1);
 }
 
-/// The rows of a CSV file. Blank lines and those that begin with # do not count; the first one has
-/// the names of columns.
+/// Rows of a CSV file. Blank lines and lines that begin with # do not count. The first row has the
+/// names of the columns.
 class CsvRows {
 public:
     explicit CsvRows(const std::filesystem::path& path) : path_(path), stream_(path) {
         if (!stream_) { refuse_file(path, "the file cannot be read"); }
     }
 
-    /// Goes to the next one; false where there is none.
+    /// Goes to the next row. Returns false where there is none.
     [[nodiscard]] bool next() {
         while (std::getline(stream_, line_)) {
             ++number_;
@@ -54,7 +54,7 @@ public:
         return false;
     }
 
-    /// What stands between commas: see(cell, its number) for each.
+    /// Calls see(cell, number) for each cell between commas.
     template <class See>
     void for_each_cell(See see) const {
         std::string_view rest = line_;
@@ -92,7 +92,7 @@ template <class Scalar>
 void read_csv(const std::filesystem::path& path, const std::vector<Column<Scalar>>& columns) {
     CsvRows rows(path);
     if (!rows.next()) { refuse_file(path, "the file is empty"); }
-    std::vector<std::vector<std::vector<Scalar>*>> of_cell;  // those that want it
+    std::vector<std::vector<std::vector<Scalar>*>> of_cell;  // vectors that take it
     std::size_t found = 0;
     rows.for_each_cell([&](std::string_view name, std::size_t) {
         of_cell.emplace_back();
@@ -118,7 +118,7 @@ void read_csv(const std::filesystem::path& path, const std::vector<Column<Scalar
     }
 }
 
-/// Numbers of a type as they stand in memory, up to the end of a file.
+/// Reads numbers of the type Number, as they stand in memory, up to the end of the file.
 template <class Number, class Scalar>
 void read_numbers(const std::filesystem::path& path, std::ifstream& stream,
                   std::vector<Scalar>& numbers) {
@@ -136,8 +136,7 @@ void read_numbers(const std::filesystem::path& path, std::ifstream& stream,
     }
 }
 
-/// NOTE: of the dictionary only the type is looked at: who has written the header has read the
-/// rest.
+/// Reads an array of numpy.save. NOTE: of the dictionary in the header only the type is looked at.
 template <class Scalar>
 void read_npy(const std::filesystem::path& path, std::ifstream& stream,
               std::vector<Scalar>& numbers) {
@@ -160,8 +159,9 @@ void read_npy(const std::filesystem::path& path, std::ifstream& stream,
     refuse_file(path, "the numbers of this file are in a format that is not read");
 }
 
-/// Reads columns of a file whose path may be relative to the directory: of CSV, or all numbers of
-/// an NPY file, whose columns have no name. Throws std::runtime_error for what is no such file.
+/// Reads columns of a file, whose path may be relative to the directory. The file is CSV, or NPY
+/// with all its numbers in one column without a name. Throws std::runtime_error for a file of
+/// another kind.
 template <class Scalar>
 void read_columns(const std::string& directory, const char* path,
                   const std::vector<Column<Scalar>>& columns) {

@@ -11,28 +11,28 @@
 
 namespace hvi::detail {
 
-/// How many there are from first to last.
+/// Returns the number of indices from first to last.
 [[nodiscard]] constexpr Place count_of(Place first, Place last) {
     return last < first ? 0 : last - first + 1;
 }
 
-/// i modulo n, from 0 to n - 1; 0 where n is not positive.
+/// Returns i modulo n, from 0 to n - 1; 0 where n is not positive.
 [[nodiscard]] constexpr Place remainder(Place i, Place n) {
     if (n <= 0) { return 0; }
     const Place rest = i % n;
     return rest < 0 ? rest + n : rest;
 }
 
-// NOTE: what follows is called and not inlined. Where g++ 12.2 sees what it copies, it may write
-// 1, 1, 1, 1 for 1, 1, 0, 0 on processors with AVX-512, its bug 108599.
+// NOTE: the following functions are called and not inlined. Where g++ 12.2 sees which constants are
+// copied, it may write 1, 1, 1, 1 for 1, 1, 0, 0 on processors with AVX-512, its bug 108599.
 
-/// These values, as a list of Parameters.
+/// Returns the values as a list of Parameters.
 template <class Scalar>
 [[nodiscard, gnu::noinline]] std::vector<Scalar> listed(std::initializer_list<Scalar> values) {
     return values;
 }
 
-/// Gives to[0], to[1], ... these values.
+/// Copies the values to to[0], to[1], ...
 template <class Scalar, std::size_t count>
 [[gnu::noinline]] void put(const Scalar (&values)[count], Scalar* to) {
     std::copy_n(values, count, to);

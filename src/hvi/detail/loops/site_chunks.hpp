@@ -45,12 +45,12 @@ public:
 
     [[nodiscard]] const Sites<dimension>& sites() const { return sites_; }
 
-    /// How many units beyond its own a force may read.
+    /// Returns how many units beyond its own a force may read.
     [[nodiscard]] Place reach() const { return reach_; }
 
     [[nodiscard]] Place count() const { return (units_ + length_ - 1) / length_; }
 
-    /// Of chunk i. The first one has none.
+    /// Returns the seam of chunk i. The first chunk has none.
     [[nodiscard]] Units seam(Place i) const {
         const Place first = i * length_;
         return {first, i == 0 ? first : std::min(first + reach_, units_)};
@@ -60,7 +60,7 @@ public:
         return {seam(i).end, std::min((i + 1) * length_, units_)};
     }
 
-    /// Calls f for the parts of rows that these units are.
+    /// Calls f for each part of a row that the units consist of.
     template <class F>
     void for_each_part(Units units, F&& f) const {
         if constexpr (dimension == 1) {

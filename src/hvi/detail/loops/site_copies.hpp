@@ -13,7 +13,7 @@
 
 namespace hvi::detail {
 
-/// Whether all of these numbers are finite. NOTE: x - x is 0, or no number.
+/// Returns whether all numbers are finite. NOTE: x - x is 0, or NaN.
 template <class Scalar>
 [[nodiscard]] bool are_finite(const Scalar* x, Place size) {
     using Wide = Stretch<SiteLanes<Scalar>>;
@@ -28,8 +28,8 @@ template <class Scalar>
     return rest == 0;
 }
 
-/// Vectors of `size` numbers each, and a copy of each of them. What is done with them is cut into
-/// `pieces` for a team.
+/// Vectors of `size` numbers each, and a copy of each. Work on them is cut into `pieces` for a
+/// team.
 template <class Scalar>
 class SiteCopies {
 public:
@@ -60,7 +60,7 @@ public:
     }
 
 private:
-    /// f(vector, copy, size) for parts of both.
+    /// Calls f(vector, copy, size) for each pair of pieces.
     template <class F>
     void for_each_piece(F&& f) {
         team_.run(static_cast<std::size_t>(pieces_), [&](std::size_t piece) {

@@ -29,13 +29,14 @@ struct Move {
 };
 
 /// A method for H = T(p) + U(q) on sites, as `System` has it (sites.hpp): the moves of a step, one
-/// after the other. Slopes at the same point are evaluated once, a kick and the drift after it are
-/// one sweep over the state, and `Sums` is PlainSums or CompensatedSums, of which the remainders
-/// live within one advance().
+/// after the other. Slopes at the same point are evaluated once, and a kick and the drift after it
+/// are one sweep over the state. `Sums` is PlainSums or CompensatedSums, whose remainders live
+/// within one advance().
 ///
-/// The state has the same bits on any number of threads (0: as many as there are processors), and
-/// with plain sums also however the steps are divided among calls. Larger lattices alone are worth
-/// more than one thread. Memory: a copy of q and p, with compensated sums three.
+/// The state has the same bits on any number of threads (0: as many as there are processors). With
+/// plain sums the bits also do not depend on how the steps are divided among calls. Only larger
+/// lattices use more than one thread. Memory: a copy of q and p; with compensated sums three
+/// copies.
 template <class System, template <class> class Sums = PlainSums>
 class SiteMoves {
 public:
@@ -44,9 +45,9 @@ public:
     explicit SiteMoves(std::vector<Move<Scalar>> moves, unsigned threads = 1)
         : moves_(std::move(moves)), team_(threads) {}
 
-    /// Takes steps of size h. Where one leads to a number that is not finite the run has ended, and
-    /// x is where the last good step ended. `Vector` has size(), and its numbers stand in a row.
-    /// Throws std::bad_alloc, before anything is done.
+    /// Takes steps of size h. A step that leads to a number that is not finite ends the run, and x
+    /// is then the state after the last good step. `Vector` has size(), and its numbers stand in a
+    /// row. Throws std::bad_alloc, before anything is done.
     template <class Vector>
     [[nodiscard]] Run advance(const System& system, State<Vector>& x, Scalar h,
                               std::int64_t steps) {
@@ -75,7 +76,7 @@ public:
     }
 
 private:
-    /// How many steps are taken before numbers are looked at.
+    /// Number of steps between two looks at the numbers.
     static constexpr std::int64_t block = 256;
 
     struct Lattice {
@@ -84,8 +85,8 @@ private:
         SiteState<Scalar, Sums<Scalar>> x;
     };
 
-    /// NOTE: what is not finite stays so in sums in place. So a block of steps has gone well where
-    /// its end is finite, and one that has not is taken again, step by step.
+    /// NOTE: in sums in place a number that is not finite stays so. So a block of steps has gone
+    /// well where its end is finite. A block that has not is taken again, step by step.
     [[nodiscard]] Run advance(const Lattice& lattice, SiteCopies<Scalar>& before, Scalar h,
                               std::int64_t steps) {
         Run run;
@@ -108,7 +109,8 @@ private:
         return run;
     }
 
-    /// So many steps: moves of a kind that follow one another become one, also across steps.
+    /// Takes `steps` steps. Moves of one kind that follow one another become one, also across
+    /// steps.
     void take(const Lattice& lattice, Scalar h, std::int64_t steps) {
         MoveFactors<Scalar> kicks, drifts;
         const auto sweep = [&] {
@@ -129,7 +131,7 @@ private:
         sweep();
     }
 
-    /// Kicks and then drifts.
+    /// Sweeps over the lattice: kicks, and then drifts.
     void sweep(const Lattice& lattice, const MoveFactors<Scalar>& kicks,
                const MoveFactors<Scalar>& drifts) {
         const SiteChunks<System>& chunks = lattice.chunks;
@@ -154,7 +156,8 @@ private:
         }
     }
 
-    /// NOTE: the seams of a chain are a few sites, for which no thread is called.
+    /// Calls f for each seam. NOTE: the seams of a chain are a few sites, for which no thread is
+    /// called.
     template <class F>
     void for_each_seam(const SiteChunks<System>& chunks, F f) {
         const Place count = chunks.count();

@@ -11,7 +11,7 @@
 
 namespace hvi::detail {
 
-/// Each sum is rounded.
+/// Plain sums, each of them rounded.
 template <class Scalar>
 class PlainSums {
 public:
@@ -20,7 +20,7 @@ public:
 
     explicit PlainSums(Scalar*) {}
 
-    /// x, which stands in place `at` of its vector, grows by the change.
+    /// Adds the change to x, which stands in place `at` of its vector.
     template <class V>
     HVI_INLINE_IN_LANES void add(V& x, const V& change, Place) const {
         x = x + change;
@@ -29,15 +29,16 @@ public:
     [[nodiscard]] static bool are_exact() { return true; }
 };
 
-/// What rounding cuts off from a sum is added to the next change of the same number.
+/// Compensated sums: the remainder of each sum is added to the next change of the same number.
 template <class Scalar>
 class CompensatedSums {
 public:
     static constexpr std::size_t vectors = 1;
-    // NOTE: of two, g++ 12 puts the parts of sums into memory, and takes four times as long.
+    // NOTE: with two registers g++ 12 puts the parts of sums into memory, and takes four times as
+    // long.
     static constexpr std::size_t registers = 1;
 
-    /// `remainders` are as many as the vector has numbers.
+    /// `remainders` points to as many numbers as the vector has.
     explicit CompensatedSums(Scalar* remainders) : remainders_(remainders) {}
 
     template <class V>

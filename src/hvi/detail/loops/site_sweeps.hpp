@@ -10,8 +10,8 @@
 
 namespace hvi::detail {
 
-/// What slopes at one point are multiplied with, one after the other: those of the end of a step
-/// and of the start of the next.
+/// Factors of the slopes at one point, applied one after the other. Up to two: one of the end of a
+/// step, and one of the start of the next.
 template <class Scalar>
 class MoveFactors {
 public:
@@ -21,8 +21,8 @@ public:
     /// Precondition: !is_full().
     void push(const Scalar& factor) { (count_++ == 0 ? first_ : second_) = factor; }
 
-    /// x += factor * slope for each of them; x stands in place `at`. NOTE: not a loop, of which
-    /// g++ keeps the factors in memory.
+    /// Adds factor * slope to x for each factor; x stands in place `at`. NOTE: not a loop, for
+    /// which g++ keeps the factors in memory.
     template <class V, class Sums>
     HVI_INLINE_IN_LANES void move(V& x, const V& slope, const Sums& sums, Place at) const {
         if (count_ == 0) { return; }
@@ -35,7 +35,7 @@ private:
     int count_ = 0;
 };
 
-/// Where the state is, and how its sums round.
+/// Pointers to the state, and the sums that round its changes.
 template <class Scalar, class Sums>
 struct SiteState {
     Scalar* q;
@@ -83,14 +83,15 @@ public:
         chunks_.for_each_part(units, [&](const Part& part) { drift(part); });
     }
 
-    /// Both, where no force elsewhere reads these positions any more.
+    /// Kicks the units, and lets each drift as soon as no force elsewhere reads its positions any
+    /// more.
     void kick_and_drift(Units units) const {
         const Place lag = dimension == 1 ? 0 : chunks_.reach();
         if (lag == 0) {
             chunks_.for_each_part(units, [&](const Part& part) { kick_and_drift(part); });
             return;
         }
-        // A row drifts when the last one that looks at it has been kicked.
+        // A row drifts when the last row that reads it has been kicked.
         for (Place row = units.first; row < units.end + lag; ++row) {
             if (row < units.end) { kick(Units{row, row + 1}); }
             if (row - lag >= units.first && row - lag < units.end) {
@@ -109,7 +110,7 @@ private:
 
     // ---- stretches ----
 
-    /// Moves the momenta and gives their new values.
+    /// Moves the momenta, and returns their new values in p.
     template <class V>
     HVI_INLINE_IN_LANES void move_momenta(Place e, const Values<V>& force, Values<V>& p) const {
         load(x_.p + e, count_, p);
@@ -148,7 +149,7 @@ private:
 
     // ---- parts of rows ----
 
-    // NOTE: each works on a copy, of which the compiler knows that no store changes it.
+    // NOTE: each function works on a copy, so that the compiler knows that no store changes it.
 
     void kick(const Part& part) const {
         const SiteSweeps on = *this;
@@ -167,8 +168,8 @@ private:
             });
     }
 
-    /// The positions of a stretch stay in registers until the next one has been kicked, which is as
-    /// far as they are looked at.
+    /// Kicks and drifts along a part of a row. The positions of a stretch stay in registers until
+    /// the next stretch, which reads them last, has been kicked.
     void kick_and_drift(Part part) const {
         const SiteSweeps on = *this;
         if constexpr (System::reach[dimension - 1] <= width) {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Families of coordinates with the same indices live on sites: component c of site number e is
-// q[c * count + e]. Of H = T(p) + U(q) a generated `System` says
+// q[c * count + e]. A generated `System` describes H = T(p) + U(q) by
 //
 //     using Scalar = double;
 //     static constexpr std::size_t dimension = 1;   // indices of a site
@@ -12,10 +12,10 @@
 //     // dU/dq of the inside sites e, e + 1, ... of a row that V stands for, k being the first
 //     template <class V>
 //     void force(const Scalar* q, Place e, const Site<dimension>& k, V (&out)[components]) const;
-//     // the same of any site
+//     // dU/dq of any site
 //     void force_at_edge(const Scalar* q, Place e, const Site<dimension>& k,
 //                        Scalar (&out)[components]) const;
-//     // dT/dp of any sites, of which these are the momenta
+//     // dT/dp of any sites with the momenta p
 //     template <class V>
 //     void velocity(const V (&p)[components], Place e, const Site<dimension>& k,
 //                   V (&out)[components]) const;
@@ -31,7 +31,7 @@
 
 namespace hvi::detail {
 
-/// Its indices, of which the last runs fastest.
+/// Indices of a site. The last one runs fastest.
 template <std::size_t dimension>
 using Site = std::array<Place, dimension>;
 
@@ -42,14 +42,14 @@ struct Box {
 
     [[nodiscard]] Place length(std::size_t i) const { return end[i] - first[i]; }
 
-    /// Rows are sites that differ in the last index alone.
+    /// Returns the number of rows: sites that differ in the last index alone.
     [[nodiscard]] Place rows() const {
         Place product = 1;
         for (std::size_t i = 0; i + 1 < dimension; ++i) { product *= length(i); }
         return product;
     }
 
-    /// The first site of a row. Precondition: row < rows().
+    /// Returns the first site of a row. Precondition: row < rows().
     [[nodiscard]] Site<dimension> row(Place row) const {
         Site<dimension> k = first;
         for (std::size_t i = dimension - 1; i > 0; --i) {
@@ -68,7 +68,7 @@ struct Box {
     }
 };
 
-/// Sites of one row that follow one another, from number `at` and indices k on.
+/// Consecutive sites of one row, from number `at` and indices k on.
 template <std::size_t dimension>
 struct RowPart {
     Place at;
@@ -89,11 +89,12 @@ struct RowPart {
     }
 };
 
-/// All sites, and those of them that have all their neighbours: the inside. Others are edges.
+/// All sites of a lattice, and the inside: the sites that have all their neighbours. The other
+/// sites are edges.
 template <std::size_t dimension>
 class Sites {
 public:
-    /// Where the inside is empty in one index it is empty in all.
+    /// Makes a lattice. An inside that is empty in one index becomes empty in all.
     Sites(const Box<dimension>& all, const Box<dimension>& inside) : all_(all), inside_(inside) {
         for (std::size_t i = 0; i < dimension; ++i) {
             if (inside.end[i] <= inside.first[i]) { inside_ = {all.first, all.first}; }
@@ -112,12 +113,12 @@ public:
         return number;
     }
 
-    /// How many rows the inside has.
+    /// Returns the number of rows of the inside.
     [[nodiscard]] Place inside_rows() const {
         return inside_.length(dimension - 1) == 0 ? 0 : inside_.rows();
     }
 
-    /// One of them. Precondition: row < inside_rows().
+    /// Returns a row of the inside. Precondition: row < inside_rows().
     [[nodiscard]] RowPart<dimension> inside_row(Place row) const {
         const Site<dimension> k = inside_.row(row);
         return {number(k), k, inside_.length(dimension - 1)};
@@ -147,14 +148,14 @@ private:
     Box<dimension> all_, inside_;
 };
 
-/// How many sites go into a register: more than one where there are registers for them.
+/// Number of sites in a register: more than one where there are registers for them.
 template <class Scalar>
 inline constexpr std::size_t sites_in_register = register_width<Scalar, 8>();
 
 template <class Scalar, std::size_t count>
 using SitesAtOnce = std::conditional_t<count == 1, Scalar, Lanes<Scalar, count>>;
 
-/// What is computed at once. NOTE: of two registers one computes while the other waits.
+/// Numbers that are computed at once. NOTE: of two registers one computes while the other waits.
 template <class Scalar, std::size_t registers = 2>
 using SiteLanes =
     SitesAtOnce<Scalar, sites_in_register<Scalar> == 1 ? 1 : registers * sites_in_register<Scalar>>;
@@ -193,7 +194,7 @@ HVI_INLINE_IN_LANES inline void store(const V (&from)[components], Place count, 
 
 // ---- the gradient of H ----
 
-/// out = dU/dq at q. Both hold all components of all sites, and do not overlap.
+/// Sets out = dU/dq at q. Both hold all components of all sites, and do not overlap.
 template <class System>
 void gather(const System& system, const typename System::Scalar* q, typename System::Scalar* out) {
     using Scalar = typename System::Scalar;
@@ -214,7 +215,7 @@ void gather(const System& system, const typename System::Scalar* q, typename Sys
     }
 }
 
-/// out = dT/dp at p, likewise.
+/// Sets out = dT/dp at p. Both hold all components of all sites, and do not overlap.
 template <class System>
 void velocities(const System& system, const typename System::Scalar* p,
                 typename System::Scalar* out) {

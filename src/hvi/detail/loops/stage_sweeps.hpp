@@ -1,8 +1,8 @@
 // Sweeps of a step of positions over a system of any size.
 // SPDX-License-Identifier: MIT
 //
-// NOTE: written as loops over vectors they are not computed side by side, as a compiler that sees a
-// dozen of vectors takes it that some may be the same.
+// NOTE: loops over vectors are not vectorised, as a compiler that sees a dozen of vectors must
+// assume that some may be the same. So the loops are written over pointers.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@
 
 namespace hvi::detail {
 
-/// Q_i = q + (e_q + c_i w + sum_j n_ij W_j) of the stages that are solved for, and what that
+/// Sets Q_i = q + (e_q + c_i w + sum_j n_ij W_j) of the stages that are solved for, and the
 /// changes; see VelocityStages.
 template <class Vector, std::size_t stages, std::size_t count>
 void move_stages(VelocityStages<Vector, stages>& s, const ScalarOf<Vector> (&n)[stages][stages],
@@ -47,7 +47,7 @@ void move_stages(VelocityStages<Vector, stages>& s, const ScalarOf<Vector> (&n)[
     });
 }
 
-/// x *= factor.
+/// Multiplies x by the factor.
 template <class Vector, class Scalar>
 void scale(Vector& x, const Scalar& factor) {
     Scalar* const to = x.data();
@@ -57,7 +57,7 @@ void scale(Vector& x, const Scalar& factor) {
     });
 }
 
-/// Lp_j = -h b_j dH/dq(Q_j) and W_j = h K Lp_j on a lattice, in one sweep.
+/// Sets Lp_j = -h b_j dH/dq(Q_j) and W_j = h K Lp_j on a lattice, in one sweep.
 template <class System, class Vector, std::size_t stages>
 void kick_stage(const System& system, VelocityStages<Vector, stages>& s, std::size_t j) {
     using Scalar = ScalarOf<Vector>;

@@ -9,19 +9,19 @@
 
 namespace hvi::detail {
 
-/// A place in a vector, or an index of a sum. Signed, as indices may be.
+/// Place in a vector, or index of a sum. Signed, as indices may be.
 using Place = std::ptrdiff_t;
 
-/// How a loop computes: one Value after the other, each of `count` numbers that follow one another.
+/// One step of a loop: a Value of `count` consecutive numbers.
 template <class Value>
 struct Stretch {
     static constexpr Place count = 1;
     [[nodiscard]] static const Value& load(const Value* from) { return *from; }
     static void store(const Value& x, Value* to) { *to = x; }
-    /// The same for all.
+    /// Returns a number with the value x for each of the `count` numbers.
     [[nodiscard]] static const Value& spread(const Value& x) { return x; }
     [[nodiscard]] static const Value& total(const Value& x) { return x; }
-    /// `first` + 0, 1, 2, ...
+    /// Returns `first` + 0, 1, 2, ...
     [[nodiscard]] static Value indices(Place first) { return static_cast<Value>(first); }
 };
 
@@ -42,7 +42,7 @@ struct Stretch<Lanes<Number, width>> {
     }
 };
 
-/// What a stretch computes in.
+/// Type of the values that a stretch computes with.
 template <class Stretch>
 using ValueOf = std::decay_t<decltype(Stretch::load(nullptr))>;
 

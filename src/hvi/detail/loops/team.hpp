@@ -16,7 +16,7 @@
 
 namespace hvi::detail {
 
-/// Pieces from first to end - 1, which some thread begins with.
+/// Share of the pieces: from first to end - 1, begun by one thread.
 class alignas(64) Share {
 public:
     /// Precondition: end < 2^32.
@@ -26,10 +26,10 @@ public:
         left_ = packed(first, end);
     }
 
-    /// Its thread is there, and will not leave before nothing is left.
+    /// Says that the owner of the share has begun. It will not leave before nothing is left.
     void begin() { has_owner_ = true; }
 
-    /// For the thread whose share it is. False where nothing is left.
+    /// Takes a piece for the owner of the share. Returns false where nothing is left.
     [[nodiscard]] bool take_first(std::size_t& piece) {
         std::uint64_t left = left_;
         do {
@@ -39,8 +39,8 @@ public:
         return true;
     }
 
-    /// For another thread. False also where few are left of one whose thread is there: it is about
-    /// to take them, and has them in its cache.
+    /// Takes a piece for another thread. Returns false also where few pieces are left and the owner
+    /// has begun: it is about to take them, and has them in its cache.
     [[nodiscard]] bool take_last(std::size_t& piece) {
         const std::size_t few = has_owner_ ? few_ : 0;
         std::uint64_t left = left_;
@@ -63,14 +63,14 @@ private:
     std::size_t few_ = 0;
 };
 
-/// The threads of a team besides the one that calls run(). They wait for the next run a little
-/// while without letting go of their processors, then by yielding, then asleep.
+/// Threads of a team besides the one that calls run(). They wait for the next run first by
+/// spinning, then by yielding, then asleep.
 ///
-/// Each thread begins with a share of the pieces that is the same run after run, so that what it
-/// has in its cache is what it needs again, and then helps the others with theirs.
+/// Each thread begins with the same share of the pieces in run after run, so that its cache holds
+/// what it needs again. Afterwards it helps the others with theirs.
 class Crew {
 public:
-    /// Where not so many threads can start there are fewer. Throws std::bad_alloc.
+    /// Starts the members, or as many as can start. Throws std::bad_alloc.
     explicit Crew(std::size_t members) : shares_(members + 1) {
         try {
             members_.reserve(members);
@@ -88,7 +88,7 @@ public:
         for (std::thread& member : members_) { member.join(); }
     }
 
-    /// Team::run(). Precondition: 1 < pieces.
+    /// Runs f as Team::run() does. Precondition: 1 < pieces.
     template <class F>
     void run(std::size_t pieces, F& f) {
         call_ = [](void* of, std::size_t piece) { (*static_cast<F*>(of))(piece); };
@@ -98,8 +98,8 @@ public:
         }
         open(++runs_);
         work(0);
-        // Who has come in by now is waited for, and who comes later finds a closed door: a member
-        // that the system keeps from running delays nobody.
+        // run() waits for members that have come in by now, and a member that comes later finds a
+        // closed door: a member that the system keeps from running delays nobody.
         door_ = closed;
         while (!comes_true([this] { return inside_ == 0; })) {}
     }
@@ -115,7 +115,7 @@ private:
         }
     }
 
-    /// Its own share, and then what others leave.
+    /// Takes the thread's own share, and then pieces that others leave.
     void work(std::size_t own) {
         std::size_t piece = 0;
         shares_[own].begin();
@@ -134,8 +134,8 @@ private:
         };
         while (true) {
             if (!comes_true(is_called)) { sleep_until(is_called); }
-            // NOTE: all these atomics are in one order: run() sees who is inside, or the door is
-            // seen closed here.
+            // NOTE: all these atomics are in one order: either run() sees who is inside, or the
+            // door is seen closed here.
             ++inside_;
             last = door_;
             if (last != closed && last != leaving) { work(own); }
@@ -152,7 +152,7 @@ private:
         --asleep_;
     }
 
-    /// Returns whether the condition has become true in about a millisecond.
+    /// Waits about a millisecond for the condition. Returns whether it has become true.
     template <class Condition>
     static bool comes_true(Condition condition) {
         for (int looks = 0; looks < 2000; ++looks) {
@@ -168,19 +168,19 @@ private:
     void (*call_)(void*, std::size_t) = nullptr;
     void* f_ = nullptr;
     std::uint64_t runs_ = closed;
-    std::vector<Share> shares_;                            ///< the first is that of run()
-    alignas(64) std::atomic<std::uint64_t> door_{closed};  ///< which run it is open for
+    std::vector<Share> shares_;  ///< the first is that of the thread of run()
+    alignas(64) std::atomic<std::uint64_t> door_{closed};  ///< the run that it is open for
     std::atomic<int> inside_{0}, asleep_{0};
     std::mutex mutex_;
     std::condition_variable wake_;
     std::vector<std::thread> members_;  // last: they use all others
 };
 
-/// So many threads, the one that calls run() included. The others start with the first run that
-/// has work for them, where they can, and end with the team. A copy is a team of its own.
+/// A team of `threads` threads, the one that calls run() included. The others start with the first
+/// run that has work for them, where they can, and end with the team. A copy is a team of its own.
 class Team {
 public:
-    /// 0: as many as there are processors.
+    /// `threads`: 0 for as many as there are processors.
     explicit Team(unsigned threads)
         : threads_(threads != 0 ? threads : std::max(1U, std::thread::hardware_concurrency())) {}
 
@@ -192,9 +192,9 @@ public:
 
     [[nodiscard]] unsigned threads() const { return threads_; }
 
-    /// f(piece) for 0 <= piece < pieces, each once, in any order and by any of the threads; returns
-    /// when all are done. Preconditions: f throws nothing and calls no run() of this team, and
-    /// nobody else does meanwhile. Throws std::bad_alloc, before anything is done.
+    /// Calls f(piece) for 0 <= piece < pieces, each once, in any order and by any of the threads.
+    /// Returns when all calls are done. Preconditions: f throws nothing and calls no run() of this
+    /// team, and nobody else does meanwhile. Throws std::bad_alloc, before anything is done.
     template <class F>
     void run(std::size_t pieces, F&& f) {
         if (threads_ == 1 || pieces <= 1) {

@@ -1,4 +1,4 @@
-// Statuses of C functions of a module: 0, why a step was not taken, or which argument is wrong.
+// Results of C functions of a module: 0, why a step was not taken, or which argument is wrong.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -6,8 +6,8 @@
 
 namespace hvi::detail {
 
-/// Codes below 100 are those of Status. NOTE: they are part of the interface of modules, which
-/// programs are compiled against: none changes its number.
+/// Codes of C functions. Codes below 100 are those of Status. NOTE: they are part of the interface
+/// of modules, which programs are compiled against: none changes its number.
 enum class Answer : int {
     ok = 0,
     no_handle = 101,
@@ -24,10 +24,10 @@ enum class Answer : int {
     failed = 113,
 };
 
-/// The number of a step's Status.
+/// Returns the number of a step's Status.
 [[nodiscard]] constexpr int number_of(Status::Code code) { return static_cast<int>(code); }
 
-/// A line about any number, without a full stop.
+/// Returns a line about any number, without a full stop.
 [[nodiscard]] constexpr const char* text_of_answer(int answer) {
     constexpr int codes = number_of(Status::Code::outside_chart);
     if (answer >= 0 && answer <= codes) {

@@ -11,13 +11,13 @@
 
 namespace hvi::detail {
 
-/// Values that an index takes.
+/// Values of an index.
 struct IndexRange {
     std::ptrdiff_t first, last;
 };
 
-/// A name that stands for a number, or where it has indices for those of all their values, of which
-/// the last index changes first.
+/// A name of a number, or with indices of a number for each of their values. The last index changes
+/// fastest.
 struct NamedNumbers {
     const char* name;
     std::vector<IndexRange> ranges = {};
@@ -32,21 +32,21 @@ struct NamedNumbers {
     }
 };
 
-/// The range of the index of a list that begins there.
+/// Returns the range of the index of a list that begins at `first`.
 template <class Scalar>
 [[nodiscard]] std::vector<IndexRange> range_of(const std::vector<Scalar>& list,
                                                std::ptrdiff_t first) {
     return {{first, first + static_cast<std::ptrdiff_t>(list.size()) - 1}};
 }
 
-/// Numbers of columns, where the time is 0 and the numbers of `names` follow in their order.
+/// Numbers of chosen columns: the time is 0, and the numbers of `names` follow in their order.
 class ChosenColumns {
 public:
-    /// NOTE: `names` are looked at for as long as this lives.
+    /// NOTE: keeps a reference to `names`.
     explicit ChosenColumns(const std::vector<NamedNumbers>& names) : names_(names) {}
 
-    /// Takes names between commas: `t`, `x`, and of what has indices also `x[3]` or `u[1,2]`. False
-    /// where there is no such name.
+    /// Chooses columns by names between commas: `t`, `x`, and, for names with indices, also `x[3]`
+    /// or `u[1,2]`. Returns false where there is no such name.
     [[nodiscard]] bool choose(std::string_view list) {
         while (true) {
             const std::size_t end = end_of_name(list);
@@ -69,7 +69,7 @@ private:
         return text;
     }
 
-    /// NOTE: a comma in brackets is part of a name.
+    /// Returns the end of the first name. NOTE: a comma in brackets is part of a name.
     static std::size_t end_of_name(std::string_view list) {
         bool is_in_brackets = false;
         for (std::size_t k = 0; k < list.size(); ++k) {
@@ -80,7 +80,8 @@ private:
         return list.size();
     }
 
-    /// The place of `x[3]` among the numbers of x; false where `text` is no such thing.
+    /// Finds the place of `x[3]` among the numbers of x. Returns false where `text` is no such
+    /// element.
     static bool find_element(std::string_view text, const NamedNumbers& family,
                              std::size_t& place) {
         const std::string_view name = family.name;

@@ -1,7 +1,7 @@
 // C functions of a module, as static members of a class.
 // SPDX-License-Identifier: MIT
 //
-// `Problem` is as in instance.hpp, and has more static members: coordinates(parameters),
+// `Problem` is as in instance.hpp, with more static members: coordinates(parameters),
 // momenta(parameters), names_of_parameters(parameters) and invariants(), all NamedNumbers.
 #pragma once
 
@@ -25,29 +25,29 @@
 
 namespace hvi::detail {
 
-/// Version of the C interface: it changes where a function does, or what one expects.
+/// Version of the C interface. It changes with the functions and their arguments.
 inline constexpr int abi_version = 1;
 
 /// A table that integrate() fills.
 struct FilledTable {
-    std::size_t every;    ///< steps to a row
-    const char* columns;  ///< their names between commas; null for all
+    std::size_t every;    ///< number of steps for each row
+    const char* columns;  ///< names between commas; null for all columns
     double* buffer;       ///< null for no table
-    std::size_t rows;     ///< that it has
+    std::size_t rows;     ///< number of rows that fit
     std::size_t* written;
 };
 
 /// Kinds of names.
 enum class NameKind { parameter, coordinate, momentum, invariant };
 
-/// Steppers of one class under handles. `Opaque` is what C programs take the handle for. No
+/// Steppers of one class under handles. C programs see a handle as a pointer to `Opaque`. No
 /// function throws.
 template <class Problem, class Opaque>
 class Face {
 public:
     using Parameters = typename Problem::Stepper::Parameters;
 
-    /// `message`: null, or room for `room` characters, for what is wrong in words.
+    /// Creates a stepper. `message` is null, or room for `room` characters of an error in words.
     static int create(const char* directory, unsigned threads, const double* values,
                       std::size_t count, Opaque** handle, char* message,
                       std::size_t room) noexcept {
@@ -195,7 +195,7 @@ public:
 private:
     using Of = Instance<Problem>;
 
-    /// NOTE: the only data of a module outside of handles: which handles there are.
+    /// Returns the handles. NOTE: they are the only global data of a module.
     static Handles<Of>& instances() {
         static Handles<Of> all;
         return all;
@@ -214,8 +214,8 @@ private:
         return Answer::ok;
     }
 
-    /// The result of f(), or what became of it where that throws. NOTE: readers of files throw
-    /// std::runtime_error, which says what is wrong with them.
+    /// Returns the result of f(), or a code for its exception. NOTE: readers of files throw
+    /// std::runtime_error with a message about the file.
     template <class F>
     static int guarded(F&& f, std::string* unreadable = nullptr) noexcept {
         try {
@@ -230,14 +230,14 @@ private:
         } catch (...) { return number_of(Answer::failed); }
     }
 
-    /// NOTE: where there is no memory for it, it is lost.
+    /// Keeps a text, or loses it where there is no memory.
     static void keep(const char* text, std::string& to) noexcept {
         try {
             to = text;
         } catch (...) {}
     }
 
-    /// The result of f(instance).
+    /// Returns the result of f(instance).
     template <class Pointer, class F>
     static int with(Pointer* handle, F&& f) noexcept {
         using Found = std::conditional_t<std::is_const_v<Pointer>, const Of, Of>;
@@ -257,7 +257,7 @@ private:
         });
     }
 
-    /// Calls f(names) with names of a kind; null are the parameters of the scene.
+    /// Calls f(names) with names of a kind; `of` is null for the parameters of the scene.
     template <class F>
     static void with_names(int kind, const Parameters* of, F&& f) noexcept {
         try {
@@ -302,7 +302,7 @@ private:
         return true;
     }
 
-    /// Steps until one fails, and the rows that these make.
+    /// Takes steps until one fails, and writes the rows of the table.
     static Status integrate(Of& of, double t, double h, std::size_t steps, const FilledTable& table,
                             const std::vector<std::size_t>& columns) {
         const std::size_t every = table.buffer == nullptr ? steps : table.every;

@@ -12,8 +12,8 @@
 namespace hvi::detail {
 
 /// Objects under numbers. A number that was never given out, or whose object is gone, finds
-/// nothing: a pointer in its place could not be told from one to memory that is somebody else's.
-/// Looking up takes no lock. NOTE: an object may not be removed while another thread uses it.
+/// nothing. A pointer in its place could not be checked: it might point to memory of something
+/// else. Looking up takes no lock. NOTE: an object may not be removed while another thread uses it.
 template <class Object>
 class Handles {
 public:
@@ -27,7 +27,8 @@ public:
         for (std::atomic<Slot*>& block : blocks_) { delete[] block.load(); }
     }
 
-    /// A number that is not 0; or 0 where there are too many. Throws std::bad_alloc.
+    /// Adds an object. Returns its number, which is not 0, or 0 where there are too many objects.
+    /// Throws std::bad_alloc.
     [[nodiscard]] Number add(std::unique_ptr<Object> object) {
         const std::lock_guard lock(mutex_);
         const std::size_t index = free_ != none ? free_ : count_;
@@ -39,7 +40,7 @@ public:
         } else {
             free_ = to.next_free;
         }
-        // NOTE: the lower part of the number is its place, the rest tells objects there apart.
+        // NOTE: the lower part of the number is the slot, the rest tells objects of one slot apart.
         to.uses = (to.uses + 1) % most_uses;
         to.object = object.release();
         const Number number = (to.uses + 1) << bits | index;
@@ -55,7 +56,7 @@ public:
         return at.number.load(std::memory_order_acquire) == number ? at.object : nullptr;
     }
 
-    /// Empty where there is none.
+    /// Removes an object; empty where the number has none.
     [[nodiscard]] std::unique_ptr<Object> remove(Number number) {
         const std::lock_guard lock(mutex_);
         if (find(number) == nullptr) { return nullptr; }
@@ -68,14 +69,14 @@ public:
     }
 
 private:
-    static constexpr std::size_t bits = sizeof(Number) >= 8 ? 24 : 16;  // of the place
+    static constexpr std::size_t bits = sizeof(Number) >= 8 ? 24 : 16;  // bits of the slot
     static constexpr std::size_t most = std::size_t(1) << bits;
     static constexpr std::size_t block_size = std::size_t(1) << bits / 2;
     static constexpr Number most_uses = ~Number(0) >> bits;
     static constexpr std::size_t none = most;
 
     struct Slot {
-        std::atomic<Number> number{0};  ///< of the object; 0 where there is none
+        std::atomic<Number> number{0};  ///< number of the object; 0 where there is none
         Object* object = nullptr;
         Number uses = 0;
         std::size_t next_free = none;
@@ -92,8 +93,8 @@ private:
 
     std::mutex mutex_;
     std::atomic<Slot*> blocks_[most / block_size] = {};
-    std::size_t count_ = 0;    // of slots that were ever used
-    std::size_t free_ = none;  // the first of those that have no object
+    std::size_t count_ = 0;    // number of slots that were ever used
+    std::size_t free_ = none;  // first slot without an object
 };
 
 }  // namespace hvi::detail

@@ -1,4 +1,4 @@
-// What a module has of the library with the solvers that its steps seldom call.
+// A module's library of solvers that its steps seldom call.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -6,19 +6,20 @@ namespace hvi::detail {
 
 using AnyFunction = void (*)();
 
-/// A function of the library by the name of the types that it is for; null where it has none.
+/// Type of a function that finds a solver by the name of its types; null where there is none.
 using FindSolver = AnyFunction (*)(const char* name);
 
-/// What the library has as its symbol hvi_solvers.
+/// Content of the symbol hvi_solvers of the library.
 struct SolverFunctions {
-    int version;  ///< as of DrivenFunctions
+    int version;  ///< as in DrivenFunctions
     FindSolver find;
 };
 
 /// Thrown by a step that calls for a solver where none is loaded.
 struct SolverIsApart {};
 
-/// The library of a module; null until it is loaded. NOTE: a template, so that there is one.
+/// The loaded library of a module; null until it is loaded. NOTE: a template, so that there is one
+/// in the program.
 template <class Nothing = void>
 struct LoadedSolvers {
     static FindSolver find;

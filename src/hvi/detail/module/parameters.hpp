@@ -8,7 +8,7 @@
 
 namespace hvi::detail {
 
-/// Gives parameters their values, one after the other.
+/// Reader of parameters, one after the other.
 class ParameterReader {
 public:
     ParameterReader(const double* values, std::size_t count) : values_(values), count_(count) {}
@@ -19,7 +19,7 @@ public:
         if (next(value)) { parameter = static_cast<Scalar>(value); }
     }
 
-    /// A positive whole number, which ranges are made of.
+    /// Reads a positive whole number, which ranges are made of.
     void size(std::ptrdiff_t& parameter) {
         constexpr double most = std::numeric_limits<int>::max();
         double value = 0;
@@ -28,10 +28,10 @@ public:
         if (are_right_) { parameter = static_cast<std::ptrdiff_t>(value); }
     }
 
-    /// Whether nothing is left, so that lists stay as they are.
+    /// Returns whether nothing is left, so that lists stay as they are.
     [[nodiscard]] bool is_at_end() const { return read_ == count_; }
 
-    /// A list of so many numbers.
+    /// Reads a list of `size` numbers.
     template <class List>
     void list(List& parameter, std::size_t size) {
         if (size > count_ - read_) {
@@ -42,15 +42,15 @@ public:
         for (auto& each : parameter) { number(each); }
     }
 
-    /// How many each of these lists has that are equally long, where nothing else follows.
+    /// Returns how many of the remaining numbers each of `lists` equally long lists gets.
     [[nodiscard]] std::size_t share(std::size_t lists) {
         has_enough_ = has_enough_ && (count_ - read_) % lists == 0;
         return (count_ - read_) / lists;
     }
 
-    /// Whether there were as many as were read.
+    /// Returns whether there were as many numbers as were read.
     [[nodiscard]] bool is_count_right() const { return has_enough_ && read_ == count_; }
-    /// Whether each of those is a number that it may be.
+    /// Returns whether each number that was read is a valid value.
     [[nodiscard]] bool are_right() const { return are_right_; }
 
 private:

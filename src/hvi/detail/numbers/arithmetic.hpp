@@ -1,4 +1,4 @@
-// What solvers compute of the numbers of scalar.hpp.
+// Arithmetic of solvers on the numbers of scalar.hpp.
 // SPDX-License-Identifier: MIT
 //
 // NOTE: needs the standard library alone; see state.hpp.
@@ -12,7 +12,7 @@
 
 namespace hvi::detail {
 
-/// 2^exponent, for exponents that are not positive.
+/// Returns 2^exponent, for exponents that are not positive.
 template <class Scalar>
 [[nodiscard]] constexpr Scalar power_of_two(int exponent) {
     Scalar power = 1;
@@ -20,7 +20,7 @@ template <class Scalar>
     return power;
 }
 
-/// The distance from 1 to the next number.
+/// Distance from 1 to the next number.
 template <class Scalar>
 inline constexpr Scalar epsilon = power_of_two<Scalar>(1 - bits<Scalar>);
 
@@ -36,7 +36,7 @@ template <class Scalar>
     }
 }
 
-/// The larger one, or the other one of a NaN.
+/// Returns the larger number, or the other one of a NaN.
 template <class Scalar>
 [[nodiscard]] inline Scalar larger(Scalar a, Scalar b) {
     if constexpr (is_standard<Scalar>) {

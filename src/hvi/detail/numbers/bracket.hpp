@@ -1,4 +1,4 @@
-// The place between two numbers where a function changes its sign.
+// Bracket of a place where a function changes its sign.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -7,20 +7,20 @@
 
 namespace hvi::detail {
 
-/// Two places at which a function has opposite signs, and its values there. The latest of both is
+/// Two places at which a function has opposite signs, and its values there. The later one found is
 /// `a`.
 template <class Scalar>
 struct Bracket {
     Scalar a, b, at_a, at_b;
 
-    /// The one of both where the function is nearer to zero.
+    /// Returns the place of both where the function is nearer to zero.
     [[nodiscard]] Scalar best() const { return std::abs(at_a) < std::abs(at_b) ? a : b; }
 };
 
 /// Narrows a bracket until its ends are no more than twice the tolerance apart, or the function is
-/// zero at one of them, and returns it: by inverse quadratic interpolation where that is safe, else
-/// by halving (T. R. Chandrupatla, Adv. Eng. Software 28, 1997, 145-149). A function that has no
-/// value at a place returns NaN, which ends the search: then at_a of the result is NaN.
+/// zero at one of them, and returns it. The steps are inverse quadratic interpolation where that is
+/// safe, else halving (T. R. Chandrupatla, Adv. Eng. Software 28, 1997, 145-149). A function that
+/// has no value at a place returns NaN, which ends the search: then at_a of the result is NaN.
 /// Precondition: numbers between the ends differ by the tolerance, which is positive.
 template <class Scalar, class Function>
 [[nodiscard]] Bracket<Scalar> narrowed(Bracket<Scalar> bracket, Scalar tolerance, Function f) {

@@ -5,7 +5,8 @@
 
 #include <cfloat>
 
-// clang says nothing of -fassociative-math alone; sums_are_exact() finds that out at run time.
+// clang does not define a macro for -fassociative-math alone; sums_are_exact() detects it at run
+// time.
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__)
 #error "hvi: -ffast-math and -fassociative-math destroy compensated summation: compile without"
 #endif
@@ -17,15 +18,15 @@
 
 namespace hvi {
 
-/// A sum and what rounding cut off from it.
+/// A sum and its remainder, which rounding cut off.
 template <class Scalar>
 struct Sum {
     Scalar value;
     Scalar remainder;
 };
 
-/// a + b == value + remainder exactly, whatever the magnitudes (Knuth's TwoSum, free of branches).
-/// Precondition: no overflow.
+/// Returns value + remainder == a + b exactly, whatever the magnitudes (Knuth's TwoSum, free of
+/// branches). Precondition: no overflow.
 template <class Scalar>
 [[nodiscard]] constexpr Sum<Scalar> two_sum(Scalar a, Scalar b) {
     const Scalar value = a + b;
@@ -36,8 +37,8 @@ template <class Scalar>
 
 namespace detail {
 
-/// Whether two_sum() is what it says, or was compiled with reordered sums, or for a processor that
-/// is told to round otherwise.
+/// Returns whether two_sum() is exact. It is not where sums were compiled to be reordered, or where
+/// the processor is set to round otherwise.
 template <class Scalar>
 [[nodiscard]] bool sums_are_exact() {
     constexpr Scalar tiny = power_of_two<Scalar>(-bits<Scalar> - 7);

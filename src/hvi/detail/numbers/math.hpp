@@ -1,13 +1,14 @@
 // The functions of <cmath>, for __float128 as well.
 // SPDX-License-Identifier: MIT
 //
-// NOTE: needs the standard library alone; see state.hpp. That has no functions of __float128. The
-// libm of glibc has (sinf128, ..., since 2.26), nothing else is linked, and <math.h> declares them
+// NOTE: needs the standard library alone; see state.hpp. The standard library has no functions of
+// __float128. The libm of glibc has (sinf128, ..., since 2.26), nothing else is linked, and
+// <math.h> declares them
 //
 //     to g++, also with -std=c++17: it always defines _GNU_SOURCE. With -U_GNU_SOURCE it does not.
 //     to clang not in glibc 2.36.
 //
-// Where it does, it defines HUGE_VAL_F128, a macro of ISO/IEC TS 18661-3 and C23.
+// Where <math.h> declares them, it defines HUGE_VAL_F128, a macro of ISO/IEC TS 18661-3 and C23.
 #ifndef HVI_MATH_HPP
 #define HVI_MATH_HPP
 
@@ -25,8 +26,8 @@
 
 namespace hvi::math {
 
-/// The widest numbers that steppers of scenes compute in: __float128 (113 bits, 33 digits) where
-/// HVI_HAS_FLOAT128 is 1, else long double, whatever that is.
+/// Widest numbers that steppers of scenes compute in: __float128 (113 bits, 33 digits) where
+/// HVI_HAS_FLOAT128 is 1, else long double, whatever its format.
 #if HVI_HAS_FLOAT128
 __extension__ typedef __float128 Widest;  // NOTE: `using` would be warned of by -Wpedantic.
 #else
@@ -37,7 +38,7 @@ using Widest = long double;
 template <class Number>
 inline constexpr bool computes_in = detail::is_standard<Number> || std::is_same_v<Number, Widest>;
 
-// What the H of a scene, its derivatives and the curve of a step may call.
+// Functions that the H of a scene, its derivatives and the curve of a step may call.
 using std::acos;
 using std::asin;
 using std::atan;
@@ -53,7 +54,7 @@ using std::sqrt;
 using std::tan;
 using std::tanh;
 
-// What the step of a quadratic H asks.
+// Functions that the step of a quadratic H calls.
 using std::islessgreater;
 using std::isnormal;
 

@@ -30,10 +30,10 @@ inline Widest erfc(Widest x) { return ::erfcf128(x); }
 inline Widest log10(Widest x) { return ::log10f128(x); }
 #endif
 
-// Functions of one number, or of numbers side by side: of Lanes a comparison is a mask. Number is
-// named where they are called, so that what is given in other types is converted.
+// Functions of one number, or of numbers side by side, for which a comparison is a mask. Number is
+// named by the caller, so that arguments of other types are converted.
 
-/// `yes` where the mask says so, else `no`.
+/// Returns `yes` where the mask is true, else `no`.
 template <class Number, class Mask>
 [[nodiscard]] constexpr Number chosen(const Mask& mask, const Number& yes, const Number& no) {
     if constexpr (std::is_same_v<Mask, bool>) {
@@ -43,27 +43,27 @@ template <class Number, class Mask>
     }
 }
 
-/// x where a < b, else y: also where a or b is NaN.
+/// Returns x where a < b, else y: also where a or b is NaN.
 template <class Number>
 [[nodiscard]] constexpr Number if_less(const Number& a, const Number& b, const Number& x,
                                        const Number& y) {
     return chosen<Number>(a < b, x, y);
 }
 
-/// x where a <= b, else y: also where a or b is NaN.
+/// Returns x where a <= b, else y: also where a or b is NaN.
 template <class Number>
 [[nodiscard]] constexpr Number if_at_most(const Number& a, const Number& b, const Number& x,
                                           const Number& y) {
     return chosen<Number>(a <= b, x, y);
 }
 
-/// NaN where a or b is.
+/// Returns the smaller number; NaN where a or b is NaN.
 template <class Number>
 [[nodiscard]] constexpr Number min(const Number& a, const Number& b) {
     return if_less<Number>(a, b, a, if_at_most<Number>(b, a, b, a + b));
 }
 
-/// NaN where a or b is.
+/// Returns the larger number; NaN where a or b is NaN.
 template <class Number>
 [[nodiscard]] constexpr Number max(const Number& a, const Number& b) {
     return if_less<Number>(b, a, a, if_at_most<Number>(a, b, b, a + b));
@@ -75,7 +75,7 @@ template <class Number>
     return if_less<Number>(zero, x, x, zero - x);
 }
 
-/// -1, 0 or 1; NaN of NaN.
+/// Returns -1, 0 or 1; NaN for NaN.
 template <class Number>
 [[nodiscard]] constexpr Number sign(const Number& x) {
     const Number zero(0), one(1);

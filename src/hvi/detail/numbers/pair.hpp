@@ -27,9 +27,9 @@ template <class S>
     return {-a.hi, -a.lo};
 }
 
-/// Relative to the sum the error is below epsilon^2, also where a and b cancel: algorithm 6 of
-/// Joldes, Muller and Popescu, Tight and rigorous error bounds for basic building blocks of
-/// double-word arithmetic, ACM Trans. Math. Softw. 44, 2017.
+/// Returns a + b. The error is below epsilon^2 relative to the sum, also where a and b cancel:
+/// algorithm 6 of Joldes, Muller and Popescu, Tight and rigorous error bounds for basic building
+/// blocks of double-word arithmetic, ACM Trans. Math. Softw. 44, 2017.
 template <class S>
 [[nodiscard]] constexpr Pair<S> operator+(const Pair<S>& a, const Pair<S>& b) {
     const Sum<S> high = two_sum(a.hi, b.hi);
@@ -43,7 +43,7 @@ template <class S>
     return a + -b;
 }
 
-/// To 1.25 epsilon^2: algorithm 10 there.
+/// Returns a b to 1.25 epsilon^2: algorithm 10 there.
 template <class S>
 [[nodiscard]] Pair<S> operator*(const Pair<S>& a, const Pair<S>& b) {
     const Pair<S> high = two_product(a.hi, b.hi);
@@ -51,7 +51,7 @@ template <class S>
     return pair(two_sum(high.hi, high.lo + low));
 }
 
-/// To 4 epsilon^2.
+/// Returns a / b to 4 epsilon^2.
 template <class S>
 [[nodiscard]] Pair<S> operator/(const Pair<S>& a, const Pair<S>& b) {
     const S quotient = a.hi / b.hi;
@@ -64,7 +64,7 @@ template <class S>
     return a.hi == 0;
 }
 
-/// a^exponent.
+/// Returns a^exponent.
 template <class S>
 [[nodiscard]] Pair<S> power(const Pair<S>& a, int exponent) {
     Pair<S> result{S(1)};
@@ -81,24 +81,24 @@ template <class S>
     return sum;
 }
 
-/// The nearest number.
+/// Returns the nearest number.
 template <class Scalar>
 [[nodiscard]] constexpr Scalar to_scalar(const Pair<Work<Scalar>>& a) {
     return static_cast<Scalar>(a.hi);
 }
 
-/// argument == multiple * period + rest.
+/// An argument divided by a period: argument == multiple * period + rest.
 template <class S>
 struct Reduced {
     long long multiple;
     Pair<S> rest;
 };
 
-/// The rest is at most about half a period; it is right to epsilon^2, absolutely.
-/// Precondition: |argument| <= 2^22.
+/// Divides an argument by a period. The rest is at most about half a period, and right to
+/// epsilon^2, absolutely. Precondition: |argument| <= 2^22.
 ///
-/// NOTE: the multiple has 23 bits. Its products with the parts of the period are exact, and so far
-/// from 0 the rest keeps digits that it would lose with a rounded period.
+/// NOTE: the multiple has 23 bits, so that its products with the parts of the period are exact. So
+/// far from 0 the rest keeps digits that it would lose with a rounded period.
 template <class S>
 [[nodiscard]] Reduced<S> reduce(const Pair<S>& argument, const Expansion& period) {
     const S quotient = argument.hi / static_cast<S>(period[0]);
@@ -111,7 +111,8 @@ template <class S>
     return {multiple, rest};
 }
 
-/// Whether a term of a series still counts beside another one, so that the terms after it may.
+/// Returns whether a term of a series still counts beside another one, so that the terms after it
+/// may.
 template <class S>
 [[nodiscard]] bool counts(const Pair<S>& term, const Pair<S>& beside) {
     constexpr S negligible = epsilon<S> * epsilon<S> / 64;
@@ -124,7 +125,7 @@ struct SinCos {
     Pair<S> cos;
 };
 
-/// Precondition: |angle| <= 2^22.
+/// Returns sin and cos. Precondition: |angle| <= 2^22.
 template <class S>
 [[nodiscard]] SinCos<S> sin_cos(const Pair<S>& angle) {
     constexpr Expansion quarter_turn{0x1.921fb54442d18p+0, 0x1.1a62633145c07p-54,
@@ -149,7 +150,7 @@ template <class S>
     }
 }
 
-/// 2^exponent, or infinity, or 0.
+/// Returns 2^exponent, or infinity, or 0.
 template <class S>
 [[nodiscard]] S two_to_the(long long exponent) {
     S base = exponent < 0 ? S(1) / 2 : S(2);
@@ -161,12 +162,12 @@ template <class S>
     return result;
 }
 
-/// Precondition: exponent <= 2^22.
+/// Returns exp(exponent). Precondition: exponent <= 2^22.
 template <class S>
 [[nodiscard]] Pair<S> exp(const Pair<S>& exponent) {
     constexpr Expansion ln_2{0x1.62e42fefa39efp-1, 0x1.abc9e3b39803fp-56, 0x1.7b57a079a1934p-111,
                              -0x1.ace93a4ebe5d1p-165, -0x1.23a2a82ea0c24p-219};
-    if (exponent.hi < -16384) { return {}; }  // NOTE: in any format it is 0 there.
+    if (exponent.hi < -16384) { return {}; }  // NOTE: 0 in any format
     const auto [doublings, rest] = reduce(exponent, ln_2);
     Pair<S> sum{S(1)};
     Pair<S> term{S(1)};

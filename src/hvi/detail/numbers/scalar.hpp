@@ -1,8 +1,9 @@
 // The numbers that a stepper computes in: float, double, long double, or __float128.
 // SPDX-License-Identifier: MIT
 //
-// NOTE: needs the standard library alone; see state.hpp. Of __float128 the standard library knows
-// nothing under -std=c++17: what is needed stands here and in arithmetic.hpp, without libquadmath.
+// NOTE: needs the standard library alone; see state.hpp. Under -std=c++17 the standard library
+// knows nothing of __float128: what is needed stands here and in arithmetic.hpp, without
+// libquadmath.
 #ifndef HVI_SCALAR_HPP
 #define HVI_SCALAR_HPP
 
@@ -13,8 +14,8 @@
 
 namespace hvi::detail {
 
-/// What a vector holds, std::array's or Eigen's or a user's own: what its operator[] refers to, or
-/// what it says itself by a specialisation.
+/// Type of the numbers in a vector of std::array, Eigen or a user. It is the type that operator[]
+/// refers to, unless a specialisation names another one.
 template <class Vector>
 struct HeldBy {
     using type = std::remove_reference_t<decltype(std::declval<Vector&>()[0])>;
@@ -28,8 +29,8 @@ inline constexpr bool is_standard =
     std::is_same_v<Scalar, float> || std::is_same_v<Scalar, double> ||
     std::is_same_v<Scalar, long double>;
 
-/// The bits of the mantissa, the leading one included. They name the format, not the type does:
-/// long double is one of 53, 64, 113 bits or a pair of doubles, as the machine has it.
+/// Returns the bits of the mantissa, the leading one included. They name the format, which the type
+/// does not: long double has 53, 64 or 113 bits or is a pair of doubles, depending on the machine.
 template <class Scalar>
 [[nodiscard]] constexpr int count_bits() {
     if constexpr (std::numeric_limits<Scalar>::is_specialized) {
@@ -46,11 +47,12 @@ template <class Scalar>
 template <class Scalar>
 inline constexpr int bits = count_bits<Scalar>();
 
-/// Whether it may be a number: a class says so, and what its `bits` are, by specialisations.
+/// Whether a type may be a number. A class is one by a specialisation, with one of `bits`.
 template <class Scalar>
 inline constexpr bool is_number = !std::is_class_v<Scalar>;
 
-/// Whether there are coefficients for it: a floating-point number of 24, 53, 64 or 113 bits.
+/// Returns whether there are coefficients for a type: a floating-point number of 24, 53, 64 or 113
+/// bits.
 template <class Scalar>
 [[nodiscard]] constexpr bool is_supported() {
     if constexpr (!is_number<Scalar> || std::is_const_v<Scalar> ||

@@ -13,7 +13,7 @@
 
 namespace hvi::detail {
 
-/// hi + lo, where |lo| is at most half a unit in the last place of hi.
+/// A number hi + lo, where |lo| is at most half a unit in the last place of hi.
 template <class S>
 struct Pair {
     S hi{};
@@ -32,11 +32,11 @@ inline constexpr bool has_fused_instruction = true;
 inline constexpr bool has_fused_instruction = false;
 #endif
 
-/// x, of which the compiler no longer knows that it was a product.
+/// Returns x such that the compiler no longer knows that it was a product.
 ///
-/// NOTE: where a multiplication and an addition are one instruction, a compiler may leave out the
-/// rounding between them. A product is read through here where what follows relies on it. Of x86
-/// it is known that there is no such instruction.
+/// NOTE: where one instruction multiplies and adds, a compiler may leave out the rounding between.
+/// opaque() is called on a product where later sums rely on its rounding. x86 without FMA is known
+/// to have no such instruction.
 template <class S>
 [[nodiscard]] S opaque(S x) {
 #if defined(__x86_64__) && !defined(__FMA__)
@@ -47,7 +47,7 @@ template <class S>
 #endif
 }
 
-/// a == hi + lo, and products of such halves are exact (Veltkamp).
+/// Returns a as hi + lo; products of such halves are exact (Veltkamp).
 template <class S>
 [[nodiscard]] Pair<S> halves(S a) {
     constexpr S factor = 1 / power_of_two<S>(-(bits<S> + 1) / 2) + 1;
@@ -56,7 +56,7 @@ template <class S>
     return {hi, a - hi};
 }
 
-/// a * b == hi + lo, by one instruction or by halves (Dekker): to the same bits.
+/// Returns a * b as hi + lo, by one instruction or by halves (Dekker), to the same bits.
 /// Precondition: neither overflow nor underflow, also of a and b times 2^57.
 template <class S>
 [[nodiscard]] Pair<S> two_product(S a, S b) {

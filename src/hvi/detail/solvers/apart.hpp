@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: MIT
 //
 // NOTE: compiling Newton's method takes longer than all the rest of a stepper, and most runs never
-// call it. hvi-gen compiles its modules in two parts: the steps, with Apart in place of a policy
-// NAME, and when they ask for it the solvers, with Alone in place of hvi::AutomaticOfLanes<NAME>.
-// Both parts are made of one text, so that types of the same names have the same layout.
+// call it. So hvi-gen compiles its modules in two parts: the steps, with Apart in place of a policy
+// NAME, and, when the steps ask for them, the solvers, with Alone in place of
+// hvi::AutomaticOfLanes<NAME>. Both parts are made of one text, so that types of the same names
+// have the same layout.
 #pragma once
 
 #include <cstring>
@@ -17,7 +18,7 @@
 
 namespace hvi::detail {
 
-/// Functions of both parts. Their names are those of these types.
+/// Type of a function that both parts know. Its name is that of this type.
 template <class Newton, class Coupled>
 struct NewtonCall {
     using Function = Status (*)(Newton&, Coupled&);
@@ -35,7 +36,7 @@ struct CorrectionsCall {
 
 // ---- the steps ----
 
-/// Throws SolverIsApart.
+/// Returns the function of the loaded library. Throws SolverIsApart where none is loaded.
 template <class Call>
 [[nodiscard]] typename Call::Function loaded() {
     const FindSolver find = LoadedSolvers<>::find;
@@ -44,7 +45,7 @@ template <class Call>
     return reinterpret_cast<typename Call::Function>(function);
 }
 
-/// A policy of Newton's method as a step has it whose solvers are in a library of their own.
+/// The policy `Newton` as steps have it whose solvers are in a library of their own.
 template <class Newton>
 struct Apart {
     template <class Vector>
@@ -77,7 +78,7 @@ struct Apart {
 
 // ---- the solvers ----
 
-/// A function that a library of solvers has. All of them are made before it is loaded.
+/// A function that a library of solvers has. All are made before the library is loaded.
 class KnownSolver {
 public:
     KnownSolver(const char* name, AnyFunction function)
@@ -123,7 +124,8 @@ template <class Coupled>
 struct HasLinearPart<Coupled, std::void_t<decltype(std::declval<Coupled&>().linear)>>
     : std::true_type {};
 
-/// A solver policy that solves nothing: the library has what Apart<Newton> calls for.
+/// A solver policy that solves nothing: it makes the library have the functions that Apart<Newton>
+/// calls.
 template <class Newton>
 struct Alone {
     static constexpr bool takes_starting_values = true;

@@ -8,9 +8,10 @@
 
 namespace hvi {
 
-/// Solver policy of generated steppers: FixedPoint, and `Newton` for the steps on which that is
-/// slow or fails, and for 1, 2, 4, ... steps after these while it goes on like that. Both solve the
-/// equations to round-off, so that a change from one to the other does not show in the energy.
+/// Solver policy of generated steppers: FixedPoint, and `Newton` for the steps on which FixedPoint
+/// is slow or fails. While it stays slow, Newton's method also takes the next 1, 2, 4, ... steps.
+/// Both solve the equations to round-off, so that a change between them does not show in the
+/// energy.
 template <class Newton>
 struct Automatic {
     static constexpr bool takes_starting_values = true;
@@ -36,11 +37,12 @@ struct Automatic {
     private:
         // NOTE: measured on six scenes of 1 to 18 degrees of freedom, with 2 to 8 stages: a step of
         // Newton's method takes as long as 60 to 400 sweeps one by one, and as 90 to 800 in lanes
-        // (with cheap steps of two stages as 40).
+        // (40 for cheap steps of two stages).
         static constexpr int slow = 100;
         static constexpr int most_iterations = 2 * slow;
 
-        /// NOTE: apart, so that compilers keep the fixed point's registers for itself.
+        /// Solves by Newton's method. NOTE: a function of its own, so that compilers keep all
+        /// registers for the fixed point.
         template <class Coupled>
         [[nodiscard, gnu::noinline, gnu::cold]] Status solve_stiff(Coupled coupled) {
             return newton_.solve(coupled);
@@ -48,7 +50,7 @@ struct Automatic {
 
         FixedPoint::template Iteration<Vector> fixed_point_;
         typename Newton::template Iteration<Vector> newton_;
-        detail::Pause<1> pause_;  ///< before fixed points are tried again
+        detail::Pause<1> pause_;  ///< steps until fixed points are tried again
     };
 };
 

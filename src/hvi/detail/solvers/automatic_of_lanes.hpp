@@ -14,26 +14,26 @@
 namespace hvi {
 namespace detail {
 
-/// What the ways to solve the equations of the stages cost, in one unit; computed when the header
-/// is written.
+/// Costs of the ways to solve the equations of the stages, in one unit; computed when the header is
+/// written.
 struct SolverCosts {
-    int sweep;       ///< of fixed points
-    int linear;      ///< of those whose linear part is solved exactly; 0: H has none
-    int correction;  ///< a sweep and a correction of its slopes
-    int factors;     ///< of the Jacobian with one Hessian
+    int sweep;       ///< of one sweep of fixed points
+    int linear;      ///< of one sweep whose linear part is solved exactly; 0: H has none
+    int correction;  ///< of a sweep and a correction of its slopes
+    int factors;     ///< of factoring the Jacobian with one Hessian
 };
 
 }  // namespace detail
 
-/// Solver policy of steppers whose stages are lanes: fixed points, those whose linear part is
-/// solved exactly, or corrections with one Hessian for all stages, whichever have cost least on the
-/// steps before, and `Newton` where all fail. What has not been the cheapest is tried again after
-/// 8, 16, 32, 64, 64, ... steps, for as long as it costs no more; of steps of several sizes in a
-/// row the largest decide. All solve the equations to round-off, so that a change from one to the
-/// other does not show in the energy.
+/// Solver policy of steppers whose stages are lanes. There are three usual ways: fixed points,
+/// fixed points whose linear part is solved exactly, and corrections with one Hessian for all
+/// stages. Each step is solved by the way that has cost least on the steps before, and by `Newton`
+/// where all three fail. Another way is tried after 8, 16, 32, 64, 64, ... steps, and given up once
+/// it costs more. Among steps of several sizes in a row the largest decide. All ways solve the
+/// equations to round-off, so that a change between them does not show in the energy.
 ///
-/// Costs are counts of iterations times numbers of the header, so that the same steps are solved in
-/// the same way on every machine.
+/// Costs are counts of iterations times constants of the header, so that the same steps are solved
+/// in the same way on every machine.
 template <class Newton>
 struct AutomaticOfLanes {
     static constexpr bool takes_starting_values = true;
@@ -47,7 +47,7 @@ struct AutomaticOfLanes {
             constexpr detail::SolverCosts costs = Coupled::costs;
             const bool is_next = coupled.s.goes_on;
             if (!is_next || cheap_ == 0) { return choose(coupled, is_next); }
-            // NOTE: most steps of most scenes, of which nothing is learnt.
+            // NOTE: most steps of most scenes end here, and nothing is learnt from them.
             other_way_.pass();
             const Attempt sweeps{Way::sweeps, false};
             const Result result = solved(coupled, sweeps, costs);
@@ -61,19 +61,20 @@ struct AutomaticOfLanes {
     private:
         using Scalar = detail::ScalarOf<Vector>;
         enum class Way { sweeps, linear, corrected, newton };
-        /// What a step tries.
+        /// One attempt to solve a step.
         struct Attempt {
             Way way;
-            bool is_from_start;     ///< not with extrapolated slopes; see solved()
-            bool is_trial = false;  ///< of a way that has not been the cheapest
+            bool is_from_start;     ///< begins with slopes at the start, not extrapolated ones; see
+                                    ///< solved()
+            bool is_trial = false;  ///< tries a way that has not been the cheapest
         };
-        /// What it came to.
+        /// Outcome of an attempt.
         struct Result {
             Status status;
             int spent;  ///< in units of the costs
         };
 
-        /// A step of which something is to be learnt. `is_next`: it goes on from the last one, with
+        /// Solves a step and learns from it. `is_next`: the step goes on from the last one, with
         /// its step size.
         template <class Coupled>
         [[nodiscard, gnu::noinline]] Status choose(Coupled& coupled, bool is_next) {
@@ -90,7 +91,7 @@ struct AutomaticOfLanes {
             return go_on(coupled, now, solved(coupled, now, costs));
         }
 
-        /// What follows on this attempt and what it came to.
+        /// Goes on from an attempt and its outcome until a way has solved the step.
         template <class Coupled>
         [[nodiscard, gnu::noinline]] Status go_on(Coupled& coupled, Attempt now, Result result) {
             constexpr detail::SolverCosts costs = Coupled::costs;
@@ -111,7 +112,8 @@ struct AutomaticOfLanes {
             return Status(Status::Code::ok, iterations);
         }
 
-        /// Up to which cost of sweeps nothing else is thought of; 0: it is.
+        /// Returns the cost up to which sweeps are accepted without trying another way; 0: always
+        /// compare.
         [[nodiscard]] int cheap(const detail::SolverCosts& costs) const {
             if (usual_ != Way::sweeps) { return 0; }
             int least = least_cost(Way::corrected, costs);
@@ -119,7 +121,7 @@ struct AutomaticOfLanes {
             return cost_from_start_ > 0 ? std::min(least, cost_from_start_) : least;
         }
 
-        /// Of the first iterations that are worth a trial.
+        /// Returns the cost of the fewest iterations that are worth a trial.
         [[nodiscard]] static constexpr int least_cost(Way way, const detail::SolverCosts& costs) {
             constexpr int iterations = 6;
             switch (way) {
@@ -131,16 +133,17 @@ struct AutomaticOfLanes {
             return 0;
         }
 
-        /// NOTE: what is tried may cost as much as what is known. And from rest the first factors
-        /// serve for a correction or two each.
+        /// Returns the cost at which an attempt is given up. NOTE: a trial may cost as much as the
+        /// usual way. Otherwise the limit includes factors, as from rest the first factors serve
+        /// for a correction or two each.
         [[nodiscard]] int most_cost(const Attempt& now, const detail::SolverCosts& costs) const {
             constexpr int corrections = 25;
             return now.is_trial ? cost_ : corrections * costs.correction + 8 * costs.factors;
         }
 
-        /// NOTE: from slopes as at the start long steps of what is stiff lead far away, where
-        /// second derivatives have no meaning; without any slopes stages are near to where H is
-        /// defined.
+        /// Makes an attempt. NOTE: long steps of stiff systems that begin with the slopes at the
+        /// start lead far away, where second derivatives have no meaning. Without any slopes the
+        /// stages are near a point where H is defined.
         template <class Coupled>
         [[nodiscard]] Result solved(Coupled& coupled, const Attempt& now,
                                     const detail::SolverCosts& costs) {
@@ -155,7 +158,8 @@ struct AutomaticOfLanes {
             return {status, status.iterations * costs.sweep};
         }
 
-        /// NOTE: a way that is not worth a trial does not keep the next one from it.
+        /// Chooses the first attempt of a step. NOTE: a way that is not worth a trial does not
+        /// block the trial of the next one.
         [[nodiscard]] Attempt first(const detail::SolverCosts& costs) {
             const bool is_from_start = !from_start_.is_over();
             if (!decides_ || !other_way_.is_over()) { return {usual_, is_from_start}; }
@@ -164,7 +168,7 @@ struct AutomaticOfLanes {
             return {is_trial ? other_ : usual_, is_from_start, is_trial};
         }
 
-        /// What follows on an attempt that failed.
+        /// Returns the attempt that follows a failed one.
         [[nodiscard]] Attempt after(const Attempt& failed, const detail::SolverCosts& costs) {
             if (failed.is_trial) { has_tried(costs); }
             if (failed.is_trial || !failed.is_from_start) { return {usual_, true}; }
@@ -192,8 +196,8 @@ struct AutomaticOfLanes {
             learn_start(ended, cost, is_new);
         }
 
-        /// Which starting values are the better ones. NOTE: extrapolated slopes may lead to the
-        /// solution, and on a way round.
+        /// Learns which starting values are better. NOTE: extrapolated slopes may lead to the
+        /// solution by a detour.
         void learn_start(const Attempt& ended, int cost, bool is_new) {
             if (is_new) { cost_from_start_ = 0; }
             if (ended.is_from_start) {
@@ -206,13 +210,13 @@ struct AutomaticOfLanes {
             }
         }
 
-        /// The next trial is of another way.
+        /// Ends a trial: the next one tries another way.
         void has_tried(const detail::SolverCosts& costs) {
             other_way_.begin();
             turn(costs);
         }
 
-        /// To the way after the other one.
+        /// Sets the next way to try.
         void turn(const detail::SolverCosts& costs) {
             do {
                 other_ = other_ == Way::sweeps   ? Way::linear
@@ -233,7 +237,8 @@ struct AutomaticOfLanes {
             corrected_.forget();
         }
 
-        // NOTE: both apart, so that compilers keep the registers of sweeps for themselves.
+        // NOTE: both are functions of their own, so that compilers keep all registers for the
+        // sweeps.
         template <class Coupled>
         [[nodiscard, gnu::noinline]] Status solve_corrected(Coupled& coupled,
                                                             [[maybe_unused]] Way way, int most) {
@@ -256,16 +261,16 @@ struct AutomaticOfLanes {
         FixedPoint::template Iteration<Vector> sweeps_;
         typename Newton::template Corrected<Vector> corrected_;
         typename Newton::template Iteration<Vector> newton_;
-        Way usual_ = Way::sweeps;      ///< the one that has cost least
-        Way other_ = Way::corrected;   ///< that is tried next
+        Way usual_ = Way::sweeps;      ///< the way that has cost least
+        Way other_ = Way::corrected;   ///< the way that is tried next
         int cost_ = 0;                 ///< of the last step that decides; 0: not known
-        Scalar largest_ = 0;           ///< size of steps that decide
-        bool decides_ = true;          ///< the present one does
-        int cheap_ = 0;                ///< see cheap(); of sweeps from extrapolated slopes
-        int cost_from_start_ = 0;      ///< of the last that began with slopes at its start
-        detail::Pause<8> other_way_;   ///< until then
-        detail::Pause<1> others_;      ///< while Newton's method alone is used
-        detail::Pause<1> from_start_;  ///< while the slopes at the start are the better ones
+        Scalar largest_ = 0;           ///< largest step size so far: steps of it decide
+        bool decides_ = true;          ///< whether the present step decides
+        int cheap_ = 0;                ///< see cheap(); for sweeps from extrapolated slopes
+        int cost_from_start_ = 0;      ///< of the last step that began with slopes at its start
+        detail::Pause<8> other_way_;   ///< steps until another way is tried
+        detail::Pause<1> others_;      ///< steps while Newton's method alone is used
+        detail::Pause<1> from_start_;  ///< steps while slopes at the start are the better ones
     };
 };
 

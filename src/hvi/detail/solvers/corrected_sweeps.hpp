@@ -8,28 +8,28 @@
 
 namespace hvi::detail {
 
-/// Sweeps whose slopes are corrected, down to round-off. `Corrections` have factors to compute, and
-/// with these correct the slopes at the present stages.
+/// Sweeps whose slopes are corrected, down to round-off. `Corrections` computes factors, and with
+/// these corrects the slopes at the present stages.
 template <class Vector>
 class CorrectedSweeps {
 public:
     using Scalar = ScalarOf<Vector>;
 
-    /// When factors are computed anew.
+    /// Rule for computing new factors.
     enum class Renewal {
-        where_slow,  ///< and changes that grow are given up
-        eager,       ///< after the first correction and wherever they do not contract
-        never,       ///< which is given up
+        where_slow,  ///< where corrections contract slowly; growing changes are given up
+        eager,       ///< after the first correction and wherever corrections do not contract
+        never,       ///< where corrections do not contract they are given up
     };
     struct Terms {
-        int iteration, factors;  ///< what they cost
-        int most;                ///< that may be spent
+        int iteration, factors;  ///< costs of one iteration and of factors
+        int most;                ///< limit on the total cost
         Renewal renewal = Renewal::where_slow;
     };
 
-    /// Says that it is singular where there are no factors, for whatever reason. `keeps_factors`:
-    /// from step to step while h stays, and renews them; else they depend on h alone.
-    /// Preconditions: those of Sweeps.
+    /// Solves the equations. The status is singular where no factors can be computed, for whatever
+    /// reason. With `keeps_factors` the factors are kept from step to step while h stays, and
+    /// renewed; otherwise they depend on h alone. Preconditions: those of Sweeps.
     template <bool keeps_factors, class Coupled, class Corrections>
     [[nodiscard]] Status solve(Coupled& coupled, Corrections& corrections, const Terms& terms) {
         coupled.begin_corrections();
@@ -47,8 +47,8 @@ public:
             ++iteration;
             spent_ += terms.iteration;
             corrections.correct(coupled);
-            // NOTE: the stages do not show what is left in the slopes below their own rounding,
-            // which has the sign of the starting values' error: without the last correction the
+            // NOTE: the stages do not show errors of the slopes below their own rounding, and these
+            // errors have the sign of the starting values' error: without the last correction the
             // energy of Kepler's problem drifted by 4e-19 a step.
             if (is_last) {
                 if constexpr (keeps_factors) { factored_ = coupled.s.h; }
@@ -73,7 +73,7 @@ public:
                       iteration);
     }
 
-    /// By the last solve().
+    /// Returns the cost of the last solve().
     [[nodiscard]] int spent() const { return spent_; }
 
     void forget() { factored_ = 0; }
@@ -83,7 +83,7 @@ private:
     using Now = typename EndOfCorrections<Vector>::Now;
 
     EndOfCorrections<Vector> end_;
-    Scalar factored_ = 0;  ///< the step size that the factors are of; 0: there are none
+    Scalar factored_ = 0;  ///< step size of the factors; 0: there are none
     int spent_ = 0;
 };
 

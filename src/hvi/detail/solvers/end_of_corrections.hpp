@@ -25,8 +25,8 @@ public:
         stalls_ = 0;
     }
 
-    /// Judges one correction by what it changed, coupled.s.change, as a part of the values: of each
-    /// component, or of the largest where no component is righter than that.
+    /// Judges one correction by its change, coupled.s.change, relative to the values: of each
+    /// component, or of the largest one where no component is more accurate than the largest.
     template <class Coupled>
     [[nodiscard]] Now judge(const Coupled& coupled, bool by_largest = false) {
         switch (
@@ -49,42 +49,44 @@ public:
         return stalls_ >= patience && change <= noise ? Now::ended : Now::go_on;
     }
 
-    /// See RoundOff.
+    /// Returns whether the corrections grow; see RoundOff.
     template <class Coupled>
     [[nodiscard]] bool grows(const Coupled& coupled) const {
         return round_off_.template grows<Coupled::has_q, Coupled::has_p>(coupled.s.change, coupled);
     }
 
-    /// Whether the next correction changes what is far below rounding, and what it leaves over is
-    /// as much smaller.
+    /// Returns whether the next correction changes the slopes far below rounding, and leaves an
+    /// error that is smaller by the same factor.
     ///
-    /// NOTE: one that is done all the same; see CorrectedSweeps.
+    /// NOTE: the next correction is applied nevertheless; see CorrectedSweeps.
     [[nodiscard]] bool next_is_last() const { return next_is_last_; }
 
-    /// Whether the last correction was small enough beside the one before.
+    /// Returns whether the last correction was small enough beside the one before.
     [[nodiscard]] bool contracts() const { return contracts_; }
 
 private:
     using Scalar = ScalarOf<Vector>;
-    // NOTE: the part of a value that a correction may be and pass for rounding: it is rounding
-    // times the inverse of J, which may magnify it somewhat. A correction below it ends the
-    // iteration only when corrections no longer fall (Hairer, McLachlan & Razakarivony 2008), by an
-    // eighth: parts of the last bit may creep for a hundred iterations, each a little smaller.
-    // To end at the first one below 4 epsilon, or where the rate of contraction promised a
-    // next one below 2^-58, made the energy of Kepler's problem drift.
+    // NOTE: the largest relative change that may pass for rounding: rounding times the inverse of
+    // J, which may magnify it somewhat. A correction below it ends the iteration only when
+    // corrections no longer fall (Hairer, McLachlan & Razakarivony 2008), by an eighth: parts of
+    // the last bit may creep for a hundred iterations, each a little smaller. Ending at the first
+    // correction below 4 epsilon, or where the rate of contraction promised a next one below 2^-58,
+    // made the energy of Kepler's problem drift.
     static constexpr Scalar rounding = 128 * epsilon<Scalar>;
-    // Components that are small beside those they are coupled with may be left with more than that:
-    // after so many corrections that got no smaller, those below this part are rounding as well.
+    // Components that are small beside those they are coupled with may keep larger changes. After
+    // this many corrections that got no smaller, changes below this part are rounding as well.
     static constexpr int patience = 6;
     static constexpr Scalar noise = power_of_two<Scalar>(-3 * bits<Scalar> / 4);
-    // So near to the solution any contraction does: with half of the digits and some more.
+    // Changes this small are near enough to the solution for any contraction to be fast enough:
+    // half of the digits and some more.
     static constexpr Scalar well = power_of_two<Scalar>(-4 * bits<Scalar> / 7);
     static constexpr Scalar far = power_of_two<Scalar>(-4);
-    // The next change is below 2^-58 of a double then, and the one after it below 2^-66.
+    // At a change below 4 epsilon that fell this fast, the next change is below 2^-58 of a double,
+    // and the one after it below 2^-66.
     static constexpr Scalar nearly = 4 * epsilon<Scalar>, fast = power_of_two<Scalar>(-8);
 
-    /// NOTE: the sizes are those of the last stages that were still far from the solution: near to
-    /// it they stay what they are.
+    /// NOTE: sizes are taken from the last stages that were still far from the solution: near to it
+    /// they hardly change.
     template <class Coupled>
     [[nodiscard]] Scalar largest_relative_change(const Coupled& coupled) {
         if (is_first_ || last_change_ > far) { measure(coupled); }
@@ -112,7 +114,8 @@ private:
         }
     }
 
-    /// NOTE: positions and momenta have units of their own.
+    /// Returns the change of the largest component, relative to it. NOTE: positions and momenta
+    /// have units of their own.
     template <class Coupled>
     [[nodiscard]] static Scalar change_of_largest(const Coupled& coupled) {
         Scalar change_q = 0, size_q = 0, change_p = 0, size_p = 0;

@@ -7,13 +7,13 @@
 namespace hvi::detail {
 
 /// Whether stage equations have slopes(), which sets all Lq and Lp at the present stages, in place
-/// of velocities() and forces(), of which one sets Lq and the other Lp.
+/// of velocities(), which sets Lq, and forces(), which sets Lp.
 template <class Coupled, class = void>
 struct HasJointSlopes : std::false_type {};
 template <class Coupled>
 struct HasJointSlopes<Coupled, std::void_t<decltype(&Coupled::slopes)>> : std::true_type {};
 
-/// Whether dH/dp takes what it needs of the positions from the dH/dq before it.
+/// Whether dH/dp reuses values of the positions from the dH/dq before it.
 template <class Coupled, class = void>
 struct HasSharedSlopes : std::false_type {};
 template <class Coupled>

@@ -16,8 +16,8 @@
 
 namespace hvi::detail {
 
-/// The Hessian of corrections: that between the middle stages, which is nearer to those of all than
-/// that of the start.
+/// Hessian of corrections taken between the middle stages, which is nearer to the Hessians of all
+/// stages than the one at the start.
 struct HessianInTheMiddle {
     template <class Coupled, class... Blocks>
     static void evaluate(const Coupled& coupled, Blocks&... blocks) {
@@ -25,9 +25,9 @@ struct HessianInTheMiddle {
     }
 };
 
-/// The terms of all Hessians that do not vary. What is solved with them is the linear part of the
-/// equations, as the motion of linear springs, and the sweeps to the solution, which is the same,
-/// do not depend on how stiff these are.
+/// Constant terms of all Hessians. Corrections with them solve the linear part of the equations,
+/// such as the motion of linear springs. The sweeps lead to the same solution, and their rate does
+/// not depend on how stiff the linear part is.
 struct ConstantHessian {
     template <class Coupled, class... Blocks>
     static void evaluate(const Coupled& coupled, Blocks&... blocks) {
@@ -48,7 +48,7 @@ public:
     }
 
 private:
-    typename Corrections::Scalar h_ = 0;  ///< that of the factors
+    typename Corrections::Scalar h_ = 0;  ///< step size of the factors
     bool has_factors_ = false;
 };
 
@@ -61,7 +61,7 @@ class PositionCorrections {
 public:
     using Scalar = ScalarOf<Vector>;
 
-    /// False where J is singular, nearly so, or not finite.
+    /// Computes the factors. Returns false where J is singular, nearly so, or not finite.
     template <class Coupled>
     [[nodiscard]] bool factorise(const Coupled& coupled) {
         G_.set_zero(dimension);
@@ -72,7 +72,7 @@ public:
             [&](std::size_t k, std::size_t l) { return coupled.s.h * hGK_(k, l); });
     }
 
-    /// Slopes at the present stages, corrected.
+    /// Sets the slopes at the present stages, and corrects them.
     template <class Coupled>
     void correct(Coupled& coupled) {
         auto& s = coupled.s;
@@ -98,16 +98,17 @@ private:
     Slopes before_{}, residual_{};
 };
 
-/// The same for the components Coupled::stiff alone, whose stiffness has a part that is constant
-/// and, as the matrix of T, diagonal: each is a Lp_k -= (1 + h^2 omega_k^2 C)^-1 (Lp_k + h b
-/// dH/dq_k) of its own, the others are what dH/dq says.
+/// Simplified Newton for VelocityLanes on the components Coupled::stiff alone. The constant part of
+/// their stiffness and the matrix of T are diagonal, so that each component is corrected by itself:
+/// Lp_k -= (1 + h^2 omega_k^2 C)^-1 (Lp_k + h b dH/dq_k). The other components are set to -h b
+/// dH/dq_k.
 template <class Vector, std::size_t stages, std::size_t count, class Modes,
           std::size_t most = widest>
 class ComponentCorrections {
 public:
     using Scalar = ScalarOf<Vector>;
 
-    /// The matrices for h. False where one is singular, nearly so, or not finite.
+    /// Computes the matrices for h. Returns false where one is singular, nearly so, or not finite.
     template <class Coupled>
     [[nodiscard]] bool factorise(const Coupled& coupled) {
         std::array<Scalar, count> stiffness;
@@ -125,7 +126,7 @@ public:
         return true;
     }
 
-    /// Slopes at the present stages, corrected.
+    /// Sets the slopes at the present stages, and corrects them.
     template <class Coupled>
     void correct(Coupled& coupled) {
         auto& s = coupled.s;
@@ -150,14 +151,14 @@ private:
     std::array<Row, count> before_{};
 };
 
-/// The same for StageLanes: L -= J^-1 (L - slopes), L being Lq and then Lp, J = 1 - h (C x S) with
-/// C = diag(b) m, and S = (Hpq Hpp; -Hqq -Hqp) of one state. Precondition: m == mt.
+/// Simplified Newton for StageLanes: L -= J^-1 (L - slopes), L being Lq and then Lp, J = 1 - h (C x
+/// S) with C = diag(b) m, and S = (Hpq Hpp; -Hqq -Hqp) of one state. Precondition: m == mt.
 template <class Vector, class Hessian, std::size_t stages, class Modes, std::size_t most = widest>
 class PairCorrections {
 public:
     using Scalar = ScalarOf<Vector>;
 
-    /// See PositionCorrections.
+    /// Computes the factors; see PositionCorrections.
     template <class Coupled>
     [[nodiscard]] bool factorise(const Coupled& coupled) {
         for (SquareMatrix<Scalar>* block : {&Hqq_, &Hqp_, &Hpp_}) { block->set_zero(dimension); }
@@ -172,7 +173,7 @@ public:
         });
     }
 
-    /// See PositionCorrections.
+    /// Corrects the slopes; see PositionCorrections.
     template <class Coupled>
     void correct(Coupled& coupled) {
         auto& s = coupled.s;

@@ -16,8 +16,8 @@
 namespace hvi {
 namespace detail {
 
-/// The derivatives of the slopes (Lq, Lp) and the torques of one stage by its place (x, y), that is
-/// by (Q, xi) and (P, pi), from the second derivatives of H at the stage; see ChartStages.
+/// Derivatives of the slopes (Lq, Lp) and the torques of one stage by its place (x, y), that is by
+/// (Q, xi) and (P, pi), from the second derivatives of H at the stage; see ChartStages.
 template <class Space>
 class ChartDerivatives {
 public:
@@ -25,11 +25,11 @@ public:
     static constexpr std::size_t dimension = Space::degrees_of_freedom;
     using Matrix = std::array<std::array<Scalar, dimension>, dimension>;
 
-    Matrix q_by_x{}, q_by_y{};            ///< of dH~/d(p, pi)
-    Matrix p_by_x{}, p_by_y{};            ///< of dH~/d(q, xi)
-    Matrix torque_by_x{}, torque_by_y{};  ///< of exp(hat xi) D, behind the coordinates
+    Matrix q_by_x{}, q_by_y{};            ///< derivatives of dH~/d(p, pi)
+    Matrix p_by_x{}, p_by_y{};            ///< derivatives of dH~/d(q, xi)
+    Matrix torque_by_x{}, torque_by_y{};  ///< derivatives of exp(hat xi) D, behind the coordinates
 
-    /// Of stage i.
+    /// Computes the derivatives of stage i.
     template <class Stages, class Square>
     ChartDerivatives(const Stages& s, std::size_t i, const Square& Hqq, const Square& Hqp,
                      const Square& Hpp) {
@@ -42,7 +42,7 @@ private:
     using Part = Vector3<Scalar>;
     static constexpr std::size_t coordinates = Space::coordinates;
 
-    /// d(q, theta) = X dx and d(p, L) = Y dy + Z dx, where theta turns the body.
+    /// Sets d(q, theta) = X dx and d(p, L) = Y dy + Z dx, where theta turns the body.
     template <class Stages>
     void set_places(const Stages& s, std::size_t i) {
         for (std::size_t k = 0; k < coordinates; ++k) { X_[k][k] = Y_[k][k] = Scalar(1); }
@@ -58,7 +58,7 @@ private:
         }
     }
 
-    /// Those of (dH/dq, D) and (dH/dp, Omega) by x and y.
+    /// Sets the derivatives of (dH/dq, D) and (dH/dp, Omega) by x and y.
     template <class Square>
     void multiply(const Square& Hqq, const Square& Hqp, const Square& Hpp) {
         for (std::size_t i = 0; i < dimension; ++i) {
@@ -73,7 +73,8 @@ private:
         }
     }
 
-    /// From D and Omega to w = T^-1 Omega, g = T^T D - df/dxi and exp(hat xi) D.
+    /// Turns derivatives of D and Omega into those of w = T^-1 Omega, g = T^T D - df/dxi and
+    /// exp(hat xi) D.
     template <class Stages>
     void set_rotation(const Stages& s, std::size_t i, std::size_t r) {
         const auto& point = s.point(i, r);
@@ -126,9 +127,9 @@ private:
     Matrix X_{}, Y_{}, Z_{};
 };
 
-/// The equations of a NewtonLoop whose unknowns are Lq and Lp of all stages and, of each rotation,
-/// pi_1: three more than there are slopes, as the momentum of the chart at the start of the step is
-/// not known before its end.
+/// Equations of a NewtonLoop whose unknowns are Lq and Lp of all stages and pi_1 of each rotation.
+/// A rotation has three unknowns more than slopes, as the momentum of the chart at the start of the
+/// step is not known before its end.
 template <class Vector>
 class ChartEquations {
 public:
@@ -162,11 +163,11 @@ public:
         return algebra_.factorise();
     }
 
-    /// Whether J was, or should have been.
+    /// Returns whether J is, or would have been, finite.
     [[nodiscard]] bool is_finite() const { return algebra_.is_finite(); }
     [[nodiscard]] bool rounds_with_largest() const { return false; }
 
-    /// Unknowns -= J^-1 (unknowns - what the stages make of them).
+    /// Corrects the unknowns by -J^-1 (unknowns - values that the stages give them).
     template <class Coupled>
     void correct(Coupled& coupled) {
         auto& s = coupled.s;
@@ -187,7 +188,7 @@ public:
 private:
     using Scalar = ScalarOf<Vector>;
 
-    /// Where unknowns stand.
+    /// Places of the unknowns.
     template <class Coupled>
     struct Unknowns {
         using Stages = typename Coupled::Stages;
@@ -201,13 +202,13 @@ private:
         static constexpr std::size_t p(std::size_t i, std::size_t k) {
             return (2 * i + 1) * dimension + k;
         }
-        /// Of component k of the momenta, which is one of a rotation.
+        /// Returns the place of pi_1 for component k of the momenta, which belongs to a rotation.
         static constexpr std::size_t end(std::size_t k) {
             return 2 * stages * dimension + k - coordinates;
         }
     };
 
-    /// In the order of Unknowns; how many there are.
+    /// Calls see() for each unknown in the order of Unknowns. Returns the number of unknowns.
     template <class Stages, class See>
     static std::size_t for_each_unknown(Stages& s, See see) {
         std::size_t count = 0;
@@ -236,8 +237,8 @@ private:
         for_each_unknown(s, [&](Scalar& value) { value = *from++; });
     }
 
-    /// Derivatives of Lq_i - h b_i dH~/d(p, pi) and Lp_i + h b_i dH~/d(q, xi), and what the torque
-    /// of the stage adds to those of pi_1.
+    /// Adds derivatives of Lq_i - h b_i dH~/d(p, pi) and Lp_i + h b_i dH~/d(q, xi), and the
+    /// torque's part of the derivatives of pi_1.
     template <class Coupled>
     void add_stage(const Coupled& coupled, std::size_t i) {
         using At = Unknowns<Coupled>;
@@ -256,7 +257,7 @@ private:
             const std::size_t r = (k - At::coordinates) / 3, first = At::coordinates + 3 * r;
             Vector3<Scalar> unit{};
             unit[k - first] = Scalar(1);
-            // Row k of T^T exp(-hat xi_1).
+            // row k of T^T exp(-hat xi_1)
             const Vector3<Scalar> row = turns[r].turned(turns[r].T(unit));
             Vector by_x{}, by_y{};
             for (std::size_t l = 0; l < At::dimension; ++l) {
@@ -269,8 +270,8 @@ private:
         }
     }
 
-    /// Adds factor (by_x dx_i + by_y dy_i) to a row: x_i = sum_j m_ij Lq_j, and y_i is made of Lp
-    /// with mt for momenta, and of Lp and pi_1 for rotations.
+    /// Adds factor (by_x dx_i + by_y dy_i) to a row, where x_i = sum_j m_ij Lq_j, and y_i is made
+    /// of Lp with mt for momenta, and of Lp and pi_1 for rotations.
     template <class Coupled, class Row>
     void add_row(const Coupled& coupled, std::size_t i, std::size_t row, const Row& by_x,
                  const Row& by_y, const Scalar& factor) {
@@ -286,7 +287,7 @@ private:
         }
     }
 
-    /// Derivatives of pi_1 - T(xi_1)^T L_1 by xi_1, with L_1 = exp(-hat xi_1)(L_0 - torques).
+    /// Adds derivatives of pi_1 - T(xi_1)^T L_1 by xi_1, with L_1 = exp(-hat xi_1)(L_0 - torques).
     template <class Coupled>
     void add_end(const Coupled& coupled) {
         using At = Unknowns<Coupled>;

@@ -15,7 +15,7 @@
 namespace hvi {
 namespace detail {
 
-/// A node of a curve, linearised: with the right sides E_i,
+/// A node of a curve, linearised with the right sides E_i:
 ///
 ///     dY_i = M_i Z_i - N_i dQ_i,    dLp_i = R_i dQ_i - N_i^T Z_i,    Z_i = sum_j X_ij dW_j + E_i.
 template <class Vector>
@@ -28,12 +28,12 @@ struct LinearNode {
     Vector E{};
 };
 
-/// The nodes of CurveStages, whose momenta are eliminated: E_i = 0 gives, with the derivatives of H
-/// there,
+/// Nodes of CurveStages with their momenta eliminated. E_i = 0 and the derivatives of H at the node
+/// give
 ///
 ///     M_i = Hpp^-1/(h b_i),    N_i = Hpp^-1 Hpq,    R_i = h b_i (Hqp Hpp^-1 Hpq - Hqq),
 ///
-/// what the second derivatives of Legendre's transform make of the curve.
+/// which are the second derivatives of the Legendre transform.
 template <class Vector>
 class HamiltonianNodes {
 public:
@@ -47,7 +47,7 @@ public:
         return Hqq_.is_finite() && Hqp_.is_finite() && Hpp_.is_finite();
     }
 
-    /// False where d2H/dp2 is singular or not finite.
+    /// Linearises node i. Returns false where d2H/dp2 is singular or not finite.
     template <class Coupled>
     [[nodiscard]] bool linearise(const Coupled& coupled, std::size_t i, LinearNode<Vector>& node) {
         for (SquareMatrix<Scalar>* block : {&Hqq_, &Hqp_, &Hpp_}) { block->set_zero(); }
@@ -86,7 +86,7 @@ private:
     std::size_t n_ = 0;
 };
 
-/// The nodes of LagrangianStages, where E_i = 0 and
+/// Nodes of LagrangianStages, where E_i = 0 and
 ///
 ///     M_i = Lvv/(h b_i),    N_i = -Lvq,    R_i = h b_i Lqq.
 template <class Vector>
@@ -130,8 +130,8 @@ private:
     std::size_t n_ = 0;
 };
 
-/// The equations F_j = 0 of a NewtonLoop, see Curve, whose unknowns are the W_j; of what they are
-/// at the nodes `Nodes` knows.
+/// Equations F_j = 0 of a NewtonLoop whose unknowns are the W_j; see Curve. `Nodes` linearises the
+/// nodes.
 template <class Vector, class Nodes>
 class CurveEquations {
 public:
@@ -172,11 +172,11 @@ public:
         return factors_.compute(J_);
     }
 
-    /// Whether J was, or should have been.
+    /// Returns whether J is, or would have been, finite.
     [[nodiscard]] bool is_finite() const { return derivatives_.is_finite() && J_.is_finite(); }
     [[nodiscard]] bool rounds_with_largest() const { return false; }
 
-    /// NOTE: the corrected Lp_i are what the step adds up: see PairEquations.
+    /// Corrects the W_j. NOTE: the corrected Lp_i are what the step adds up: see PairEquations.
     template <class Coupled>
     void correct(Coupled& coupled) {
         auto& s = coupled.s;
@@ -197,7 +197,7 @@ public:
 private:
     using Scalar = ScalarOf<Vector>;
 
-    /// What node i adds to dF_j/dW_k.
+    /// Adds the part of node i to dF_j/dW_k.
     template <class Coupled>
     void add(const Coupled& coupled, std::size_t i, std::size_t j, std::size_t k) {
         const Scalar X_j = coupled.table_X()[i][j], D_j = coupled.table_D()[i][j];
@@ -212,7 +212,7 @@ private:
         }
     }
 
-    /// -F_j at the Y_i and Lp_i that dW = 0 leads to.
+    /// Sets the right side to -F_j at the Y_i and Lp_i that dW = 0 leads to.
     template <class Coupled>
     void set_right_side(const Coupled& coupled) {
         for (std::size_t j = 0; j < Coupled::functions; ++j) {
@@ -232,7 +232,7 @@ private:
         }
     }
 
-    /// Y_i and Lp_i, of which the W_j are corrected.
+    /// Corrects Y_i and Lp_i by the corrections of the W_j.
     template <class Coupled>
     void correct_node(Coupled& coupled, std::size_t i) {
         auto& [M, N, R, Z] = nodes_[i];
@@ -263,12 +263,12 @@ private:
     std::size_t n_ = 0;
 };
 
-/// A NewtonLoop that, where it fails, is led from shorter steps to the whole one. Each begins with
+/// A NewtonLoop that, where it fails, goes from shorter steps to the whole one. Each begins with
 /// the curve of the one before it, so that it ends at the solution that h -> 0 leads to.
 ///
 /// NOTE: Newton's corrections at rest may be so long that the next ones are taken where d2H/dp2 is
-/// as good as singular, though it is regular at the solution. Corrections that are only made
-/// shorter get stuck between, at steps that this way still solves.
+/// as good as singular, though it is regular at the solution. Merely shortened corrections get
+/// stuck on steps that are still solved in this way.
 template <class Vector, class Equations>
 class NewtonAlongSteps {
 public:
@@ -282,7 +282,7 @@ private:
     using Scalar = ScalarOf<Vector>;
     using Now = typename EndOfCorrections<Vector>::Now;
 
-    /// `failed`: what became of the whole step.
+    /// Solves the step by way of shorter ones. `failed`: status of the whole step.
     template <class Coupled>
     [[nodiscard]] Status solve_along(Coupled& coupled, const Status& failed) {
         constexpr Scalar shortest = Scalar(1) / 256;
@@ -318,7 +318,8 @@ private:
         }
     }
 
-    /// NOTE: where corrections do not contract at once the solution may be another one.
+    /// Returns whether a shorter step converges. NOTE: where corrections do not contract at once,
+    /// they may lead to another solution.
     template <class Coupled>
     [[nodiscard]] bool converges(Coupled& coupled) {
         constexpr int most = 15;
@@ -336,8 +337,8 @@ private:
         return false;
     }
 
-    /// Singular, or without numbers, is a step that is so where it begins; others have only been
-    /// led astray.
+    /// Returns the status of a failure. A step is singular, or not finite, where it is so at its
+    /// beginning; otherwise the iteration has only been led astray.
     [[nodiscard]] Status reason(const Status& failed) const {
         const int at_start = failed.code() == Status::Code::singular ? 0 : 1;
         const bool is_astray = failed.iterations > at_start;
@@ -362,7 +363,7 @@ struct NewtonOfCurves {
                                  detail::CurveEquations<Vector, detail::HamiltonianNodes<Vector>>>;
 };
 
-/// The same for Lagrangians.
+/// Solver policy of steppers of the general Galerkin form of Lagrangians.
 struct NewtonOfLagrangians {
     static constexpr bool takes_starting_values = false;
 

@@ -19,12 +19,12 @@ namespace hvi::detail {
 ///     bool rounds_with_largest();          whether no component of a correction is righter than
 ///                                          the largest one
 ///
-/// both factorisations false where J is singular or not finite. The factors are kept over
-/// iterations and steps while the iteration contracts well. They are forgotten with the state that
-/// they belong to and when h changes.
+/// Both factorisations return false where J is singular or not finite. The factors are kept over
+/// iterations and steps while the iteration contracts well. They are dropped when h changes, and
+/// when a step does not begin where the last one ended.
 ///
-/// NOTE: it starts from no slopes, not from extrapolated ones: no polynomial follows a solution
-/// whose period is short against h, and q, p is where H is sure to be defined.
+/// NOTE: the iteration starts from no slopes, not from extrapolated ones: no polynomial follows a
+/// solution whose period is short against h, and q, p is a point where H is sure to be defined.
 template <class Vector, class Equations>
 class NewtonLoop {
 public:

@@ -1,8 +1,7 @@
-// Newton's method for stages in lanes, for steps on which one Hessian for all does not do.
+// Newton's method for stages in lanes, for steps that one Hessian for all stages does not solve.
 // SPDX-License-Identifier: MIT
 //
-// NOTE: stage by stage and in loops, as this is for few steps, and every header of lanes is
-// compiled with it.
+// NOTE: stage by stage and in loops, as few steps need it, and every header of lanes compiles it.
 #pragma once
 
 #include <cstddef>
@@ -17,13 +16,14 @@
 namespace hvi {
 namespace detail {
 
-/// The Jacobian of the slopes of all stages, J_ji = 1_ji + h b_j C_ji R_j, where R_j has the second
-/// derivatives at stage j and C is what the method's coefficients are to this form of the
-/// equations: n for positions, m for pairs.
+/// Jacobian of the slopes of all stages, J_ji = 1_ji + h b_j C_ji R_j. R_j has the second
+/// derivatives at stage j. C has the coefficients of the method in this form of the equations: n
+/// for positions, m for pairs.
 template <class Scalar>
 class JacobianOfStages {
 public:
-    /// `set_R(j)` makes R that of stage j. False where J is singular, or not finite.
+    /// Computes and factors J; `set_R(j)` sets R to that of stage j. Returns false where J is
+    /// singular, or not finite.
     template <class Coupled, class Set>
     [[nodiscard, gnu::cold]] bool compute(const Coupled& coupled, std::size_t rows, Set set_R) {
         R.set_zero(rows);
@@ -39,7 +39,7 @@ public:
 
     void solve(std::vector<Scalar>& x) const { factors_.solve(x.data()); }
 
-    /// Whether J was, or should have been.
+    /// Returns whether J is, or would have been, finite.
     [[nodiscard]] bool is_finite() const { return J_.is_finite(); }
 
     SquareMatrix<Scalar> R;
@@ -58,7 +58,7 @@ private:
     Factors<Scalar> factors_;
 };
 
-/// What both forms of the equations have in common.
+/// Common part of PositionsOfLanes and PairsOfLanes.
 template <class Vector>
 class SlopesOfLanes {
 public:
@@ -69,13 +69,14 @@ public:
         coupled.begin_corrections();
     }
 
-    /// Whether J was, or should have been.
+    /// Returns whether J is, or would have been, finite.
     [[nodiscard]] bool is_finite() const { return jacobian_.is_finite(); }
 
 protected:
     using Scalar = ScalarOf<Vector>;
 
-    /// L -= J^-1 (L - slopes at the stages of L). `get` copies the slopes, `put` replaces them.
+    /// Sets L -= J^-1 (L - slopes at the stages of L). `get` copies the slopes, `put` replaces
+    /// them.
     template <class Get, class Evaluate, class Put>
     [[gnu::cold]] void correct_by(Get get, Evaluate evaluate, Put put) {
         get(L_);
@@ -94,11 +95,11 @@ private:
     std::vector<Scalar> L_, residual_;
 };
 
-/// What is solved for in VelocityLanes: the Lp_j of PositionUnknowns, component k at j n + k.
+/// Unknowns of VelocityLanes: the Lp_j of PositionUnknowns, component k at j n + k.
 template <class Vector>
 class PositionsOfLanes : public SlopesOfLanes<Vector> {
 public:
-    /// All stages have the second derivatives at the start of the step.
+    /// Factors J with the second derivatives at the start of the step at all stages.
     template <class Coupled>
     [[nodiscard]] bool factorise_start(const Coupled& coupled) {
         set_G([&](auto& G) { coupled.hessian_at_start(G); });
@@ -113,10 +114,9 @@ public:
         });
     }
 
-    /// From rest to where dH/dq = g + G (Q - q) of the start leads.
+    /// Sets the slopes to those that dH/dq = g + G (Q - q) of the start leads to from rest.
     ///
-    /// NOTE: where h is not small against the fastest period, q + h c v is no place for H to be
-    /// evaluated at.
+    /// NOTE: where h is not small against the fastest period, H need not be defined at q + h c v.
     template <class Coupled>
     [[gnu::cold]] void begin(Coupled& coupled) {
         auto& s = coupled.s;
@@ -136,7 +136,7 @@ public:
         put(Lp, coupled);
     }
 
-    /// Lp -= J^-1 (Lp + h b dH/dq).
+    /// Sets Lp -= J^-1 (Lp + h b dH/dq).
     template <class Coupled>
     [[gnu::noinline, gnu::cold]] void correct(Coupled& coupled) {
         this->correct_by([&](auto& Lp) { get(coupled, Lp); }, [&] { coupled.slopes_of_momenta(); },
@@ -154,7 +154,7 @@ private:
         set(G_);
     }
 
-    /// h G K.
+    /// Sets R = h G K.
     template <class Coupled>
     void set_R(const Coupled& coupled) {
         set_hGK(coupled, G_, jacobian_.R);
@@ -179,7 +179,7 @@ private:
     SquareMatrix<Scalar> G_;
 };
 
-/// What is solved for in StageLanes: component k of Lq_j at 2 j n + k, and of Lp_j n further on.
+/// Unknowns of StageLanes: component k of Lq_j at 2 j n + k, and of Lp_j at n places further on.
 /// Precondition: m == mt.
 template <class Vector>
 class PairsOfLanes : public SlopesOfLanes<Vector> {
@@ -191,7 +191,7 @@ public:
     template <class Coupled>
     void begin(Coupled&) {}
 
-    /// With R = -(Hpq Hpp; -Hqq -Hqp).
+    /// Factors J with R = -(Hpq Hpp; -Hqq -Hqp) of each stage.
     template <class Coupled>
     [[nodiscard]] bool factorise(const Coupled& coupled) {
         auto& R = jacobian_.R;
@@ -246,11 +246,11 @@ private:
     SquareMatrix<Scalar> Hqq_, Hqp_, Hpp_;
 };
 
-/// Newton's method. The factors are kept from step to step while h stays. Where it does not
-/// contract with those it begins anew, and then with factors of the present stages.
+/// Newton's method. The factors are kept from step to step while h stays. Where the iteration does
+/// not contract with them it begins anew, and then with factors of the present stages.
 ///
-/// NOTE: from where old factors have led, and with those of stages at rest, it may come to another
-/// solution, far away.
+/// NOTE: an iteration that goes on from where old factors have led, or that uses the factors at
+/// rest, may come to another solution, far away.
 template <class Vector, class Unknowns>
 class NewtonOfLanes {
 public:
@@ -291,7 +291,8 @@ private:
 
 }  // namespace detail
 
-/// Policies for AutomaticOfLanes: what it takes to last, and before that.
+/// Policies for AutomaticOfLanes: Newton's method as the last resort, and the corrections before
+/// it.
 struct NewtonOfPositionLanes {
     template <class Vector>
     using Iteration = detail::NewtonOfLanes<Vector, detail::PositionsOfLanes<Vector>>;

@@ -15,19 +15,18 @@
 namespace hvi {
 namespace detail {
 
-/// The equations of a NewtonLoop whose unknowns are the slopes Lq and Lp, for any number of degrees
-/// of freedom: no matrix is kept. J x, with the second derivatives of each stage at its present
-/// place, is made of
+/// Equations of a NewtonLoop whose unknowns are the slopes Lq and Lp, for any number of degrees of
+/// freedom: no matrix is kept. With the second derivatives of each stage at its present place, J x
+/// consists of
 ///
 ///     x_q,j - h b_j (d2H/dpdq dQ_j + d2H/dp2 dP_j),    dQ_j = sum_i m_ji x_q,i,
 ///     x_p,i + h b_i (d2H/dq2 dQ_i + d2H/dqdp dP_i),    dP_j = sum_i mt_ji x_p,i,
 ///
-/// and GMRES solves for x. An inexact solution is enough for a correction, which the next one
-/// corrects.
+/// GMRES solves for x. An inexact solution is enough for a correction, as the next one corrects it.
 template <class Vector>
 class PairProductEquations : SlopeUnknowns<Vector> {
 public:
-    /// NOTE: true always, as there are no factors to go on with.
+    /// Makes room. NOTE: always true, as there are no factors to go on with.
     template <class Coupled>
     [[nodiscard]] bool fit(const Coupled& coupled) {
         static_cast<void>(this->make_room(coupled));
@@ -49,11 +48,11 @@ public:
         return true;
     }
 
-    /// NOTE: what is not finite shows in the stages.
+    /// NOTE: a value that is not finite shows in the stages.
     [[nodiscard]] bool is_finite() const { return true; }
     [[nodiscard]] bool rounds_with_largest() const { return true; }
 
-    /// See SlopeUnknowns.
+    /// Corrects the slopes; see SlopeUnknowns.
     template <class Coupled>
     void correct(Coupled& coupled) {
         this->correct_by(coupled, [&](std::vector<Scalar>& b) {
@@ -75,8 +74,8 @@ private:
     using typename SlopeUnknowns<Vector>::Scalar;
     using SlopeUnknowns<Vector>::n_;
 
-    /// NOTE: GMRES makes the residual of all components small as a whole, so that p is measured in
-    /// a unit in which it is as large as q.
+    /// Sets the unit of p. NOTE: GMRES makes the residual of all components small as a whole, so
+    /// that p is measured in a unit in which it is as large as q.
     template <class Coupled>
     void set_unit(const Coupled& coupled, const std::vector<Scalar>& b) {
         const std::size_t first_p = Coupled::unknown_q.size() * n_;
@@ -93,8 +92,9 @@ private:
         if (!(unit_ > 0) || unit_ - unit_ != 0) { unit_ = 1; }
     }
 
-    /// NOTE: what GMRES finds where it does not come to an end may be next to nothing, far from the
-    /// solution. So that this does not pass for rounding, it counts as a change of all there is.
+    /// Counts the change as large as the values. NOTE: where GMRES does not converge, its
+    /// correction may be next to nothing, far from the solution. Such a correction must not pass
+    /// for rounding.
     template <class Coupled>
     static void count_as_unknown(Coupled& coupled) {
         auto& change = coupled.s.change;
@@ -171,8 +171,8 @@ private:
 
     Gmres<Scalar> gmres_;
     Vector dQ_{}, dP_{}, product_{};
-    Scalar unit_ = 1;         ///< of p
-    bool is_solved_ = false;  ///< the last correction is J^-1 residual
+    Scalar unit_ = 1;         ///< unit of p
+    bool is_solved_ = false;  ///< whether the last correction is J^-1 residual
 };
 
 }  // namespace detail

@@ -13,9 +13,9 @@
 namespace hvi {
 namespace detail {
 
-/// The equations of a NewtonLoop whose unknowns are the slopes Lq and Lp. `Algebra` is what it
-/// computes with: the n x n matrices Hqq, Hqp and Hpp, which clear() sets to zero and the system
-/// fills, and the Jacobian, entry by entry, with set_identity(), factorise() and solve(b).
+/// Equations of a NewtonLoop whose unknowns are the slopes Lq and Lp. `Algebra` has the n x n
+/// matrices Hqq, Hqp and Hpp, which clear() sets to zero and the system fills. It also has the
+/// Jacobian, entry by entry, with set_identity(), factorise() and solve(b).
 template <class Vector, class Algebra>
 class PairEquations : SlopeUnknowns<Vector> {
 public:
@@ -45,11 +45,11 @@ public:
         return algebra_.factorise();
     }
 
-    /// Whether J was, or should have been.
+    /// Returns whether J is, or would have been, finite.
     [[nodiscard]] bool is_finite() const { return algebra_.is_finite(); }
     [[nodiscard]] bool rounds_with_largest() const { return false; }
 
-    /// See SlopeUnknowns.
+    /// Corrects the slopes; see SlopeUnknowns.
     template <class Coupled>
     void correct(Coupled& coupled) {
         this->correct_by(coupled, [&](std::vector<Scalar>& x) { algebra_.solve(x.data()); });
@@ -59,7 +59,7 @@ private:
     using typename SlopeUnknowns<Vector>::Scalar;
     using SlopeUnknowns<Vector>::n_;
 
-    /// Derivatives of Lq_j - h b_j dH/dp(Q_j, P_j).
+    /// Adds derivatives of Lq_j - h b_j dH/dp(Q_j, P_j).
     template <class Coupled>
     void velocity_rows(const Coupled& coupled, std::size_t j, std::size_t row) {
         const auto& s = coupled.s;
@@ -91,7 +91,7 @@ private:
         }
     }
 
-    /// Derivatives of Lp_i + h b_i dH/dq(Q_i, P_i).
+    /// Adds derivatives of Lp_i + h b_i dH/dq(Q_i, P_i).
     template <class Coupled>
     void force_rows(const Coupled& coupled, std::size_t i, std::size_t row) {
         const auto& s = coupled.s;
@@ -144,7 +144,7 @@ private:
 
 }  // namespace detail
 
-/// Solver policy of steppers of scenes, whose second derivatives take any matrix.
+/// Solver policy of steppers of scenes, whose second derivatives fill matrices of any type.
 struct NewtonOfPairs {
     static constexpr bool takes_starting_values = false;
 

@@ -16,14 +16,15 @@
 namespace hvi {
 namespace detail {
 
-/// The equations of a NewtonLoop for PositionUnknowns.
+/// Equations of a NewtonLoop for PositionUnknowns.
 ///
-/// At the start of a step all stages have one matrix G of second derivatives, that at q, and J's C
-/// is similar to A A~. In the basis of its eigenvectors, known when the header was written, J falls
-/// apart into a system of n equations for each real eigenvalue and one of 2n for each pair of
-/// conjugate ones (Coupled::Modes). None is singular where G K has no negative eigenvalue and C has
-/// no real negative one, as that of Gauss and Lobatto methods. Where the iteration does not
-/// contract with these, each stage gets the matrix of its own place, and J is factored as a whole.
+/// At the start of a step all stages have one matrix G of second derivatives, taken at q, and the C
+/// of J is similar to A A~. In the basis of the eigenvectors of C, known when the header was
+/// written, J falls apart into a system of n equations for each real eigenvalue and one of 2n for
+/// each pair of conjugate ones (Coupled::Modes). No system is singular where G K has no negative
+/// eigenvalue and C has no real negative one, which holds for Gauss and Lobatto methods. Where the
+/// iteration does not contract with these factors, each stage gets the matrix G of its own place,
+/// and J is factored as a whole.
 template <class Vector>
 class PositionEquations : PositionUnknowns<Vector> {
 public:
@@ -63,11 +64,11 @@ public:
         });
     }
 
-    /// Whether J was, or should have been.
+    /// Returns whether J is, or would have been, finite.
     [[nodiscard]] bool is_finite() const { return hGK_.is_finite(); }
     [[nodiscard]] bool rounds_with_largest() const { return false; }
 
-    /// See PositionUnknowns.
+    /// Corrects the forces; see PositionUnknowns.
     template <class Coupled>
     void correct(Coupled& coupled) {
         this->correct_by(
@@ -95,7 +96,7 @@ private:
         }
     }
 
-    /// J as a whole; `set` puts h G K at stage j into hGK_.
+    /// Factors J as a whole; `set` puts h G K at stage j into hGK_.
     template <class Coupled, class Set>
     [[nodiscard]] bool factorise_all(const Coupled& coupled, Set set) {
         const auto& s = coupled.s;
@@ -155,7 +156,7 @@ private:
     }
 
     SquareMatrix<Scalar> G_, hGK_;
-    std::vector<Factors<Scalar>> factors_;  ///< of the modes, or one of all
+    std::vector<Factors<Scalar>> factors_;  ///< of the modes, or one for all of J
     bool is_decoupled_ = false;
 };
 

@@ -17,8 +17,9 @@
 
 namespace hvi::detail {
 
-/// J x = b for J = 1 + h^2 (C x G K) by products with J. `times(j, v, out)` is out = G v with the G
-/// of stage j. NOTE: an inexact solution is enough for a correction, which the next one corrects.
+/// Solves J x = b for J = 1 + h^2 (C x G K) by products with J. `times(j, v, out)` sets out = G v
+/// with the G of stage j. NOTE: an inexact solution is enough for a correction, as the next one
+/// corrects it.
 template <class Vector>
 class ProductsWithJacobian {
 public:
@@ -33,11 +34,11 @@ public:
         is_solved_ = gmres_.solve(b, power_of_two<Scalar>(-12), apply, precondition);
     }
 
-    /// Whether the last solution is one.
+    /// Returns whether the last solve() came to a solution.
     [[nodiscard]] bool is_solved() const { return is_solved_; }
 
 private:
-    /// NOTE: the factors of h^2 G K go one by one, see PositionEquations.
+    /// NOTE: the factors of h^2 G K go one by one, see set_hGK().
     template <class Coupled, class Times>
     void multiply(const Coupled& coupled, const std::vector<Scalar>& x, std::vector<Scalar>& out,
                   Times& times) {
@@ -67,13 +68,13 @@ private:
 
 // ---- with factors ----
 
-/// The equations of a NewtonLoop for PositionUnknowns, where G has few entries and K is diagonal.
+/// Equations of a NewtonLoop for PositionUnknowns, where G has few entries and K is diagonal.
 ///
-/// At the start of a step all stages have the G of q, and in the basis of Coupled::Modes J falls
-/// apart into 1 + alpha h^2 G K for each real eigenvalue alpha of C, and one complex system for
-/// each pair of conjugate ones, which are factored. Where the iteration does not contract with
-/// these, each stage gets the G of its own place: J is then solved by products with it, and the
-/// factors bring them near to the solution.
+/// At the start of a step all stages have the G of q. In the basis of Coupled::Modes, J falls apart
+/// into 1 + alpha h^2 G K for each real eigenvalue alpha of C, and one complex system for each pair
+/// of conjugate ones. These systems are factored. Where the iteration does not contract with the
+/// factors, each stage gets the G of its own place. J is then solved by products with G,
+/// preconditioned by the factors.
 ///
 /// `FactorsOf<Number>` is BandFactors or SparseLuFactors.
 template <class Vector, template <class> class FactorsOf>
@@ -114,7 +115,7 @@ public:
         return true;
     }
 
-    /// Whether J was, or should have been.
+    /// Returns whether J is, or would have been, finite.
     [[nodiscard]] bool is_finite() const {
         bool is = start_.is_finite();
         for (const SparseMatrix<Scalar>& own : own_) { is = is && (!has_own_ || own.is_finite()); }
@@ -123,7 +124,7 @@ public:
 
     [[nodiscard]] bool rounds_with_largest() const { return has_own_; }
 
-    /// See PositionUnknowns.
+    /// Corrects the forces; see PositionUnknowns.
     template <class Coupled>
     void correct(Coupled& coupled) {
         const auto by_factors = [&](std::vector<Scalar>& x) {
@@ -164,9 +165,9 @@ private:
         for (std::size_t k = 0; k < G.size(); ++k) { out[k] = G.times(k, v); }
     }
 
-    /// NOTE: h G K and then h times the eigenvalue, as h^2 may be beyond the range of numbers. And
-    /// factors of one kind take the compiler a second or more, so that none is instantiated in
-    /// vain.
+    /// Factors the systems of the modes. NOTE: first h G K and then h times the eigenvalue, as h^2
+    /// may be beyond the range of numbers. Factors of one kind take the compiler a second or more,
+    /// so that none is instantiated in vain.
     template <class Modes>
     [[nodiscard]] bool factorise_modes(Scalar h) {
         hGK_ = start_;
@@ -233,8 +234,9 @@ private:
 
 // ---- without factors ----
 
-/// The same where G has too many entries to be kept: J is solved by products with it, of the G of
-/// q at the start of a step, or of all stages at their own places.
+/// Equations of a NewtonLoop for PositionUnknowns, where G has too many entries to be kept. J is
+/// solved by products with the G of q at the start of a step, or with the G of all stages at their
+/// own places.
 template <class Vector>
 class ProductEquations : PositionUnknowns<Vector> {
 public:
@@ -261,11 +263,11 @@ public:
         return true;
     }
 
-    /// NOTE: what is not finite shows in the stages.
+    /// NOTE: a value that is not finite shows in the stages.
     [[nodiscard]] bool is_finite() const { return true; }
     [[nodiscard]] bool rounds_with_largest() const { return true; }
 
-    /// See PositionUnknowns.
+    /// Corrects the forces; see PositionUnknowns.
     template <class Coupled>
     void correct(Coupled& coupled) {
         this->correct_by(
@@ -291,7 +293,7 @@ public:
 private:
     using typename PositionUnknowns<Vector>::Scalar;
 
-    std::vector<Vector> places_;  ///< where second derivatives are taken: of all, or one by one
+    std::vector<Vector> places_;  ///< of second derivatives: one for all stages, or for each
     ProductsWithJacobian<Vector> products_;
 };
 

@@ -10,7 +10,8 @@
 namespace hvi {
 namespace detail {
 
-/// Where dH/dq was last evaluated, what it was there, and what its derivative shares with it.
+/// Places Q of the last evaluations of dH/dq, their results Lp, and what the derivative of dH/dq
+/// shares with them.
 template <class System, std::size_t stages>
 struct Tangents {
     std::array<typename System::Vector, stages> Q{}, Lp{};
@@ -19,11 +20,11 @@ struct Tangents {
 
 }  // namespace detail
 
-/// Solver policy of steppers of scenes with quadratic kinetic energy. Between two evaluations of
-/// dH/dq there is a sweep with dH/dq + d2H/dq2 (Q - Q_0), Q_0 being the place of the last
-/// evaluation: the first term of the Neumann series of Newton's method. Fewer evaluations to the
-/// same end; it pays where d2H/dq2 times a vector, and a sweep, cost much less than dH/dq. More
-/// sweeps save fewer evaluations than they cost.
+/// Solver policy of steppers of scenes with quadratic kinetic energy. A sweep with dH/dq + d2H/dq2
+/// (Q - Q_0) follows each evaluation of dH/dq, Q_0 being the place of that evaluation: the first
+/// term of the Neumann series of Newton's method. The same solution takes fewer evaluations, which
+/// pays where d2H/dq2 times a vector, and a sweep, cost much less than dH/dq. More sweeps save
+/// fewer evaluations than they cost.
 struct NewtonTaylor {
     static constexpr bool takes_starting_values = true;
 

@@ -1,4 +1,4 @@
-// What Newton's method solves for where the momenta of the stages are eliminated.
+// Unknowns of Newton's method where the momenta of the stages are eliminated.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -11,7 +11,7 @@
 
 namespace hvi::detail {
 
-/// The scaled forces Lp_j of VelocityStages, which are to fulfil
+/// Scaled forces Lp_j of VelocityStages, which solve
 ///
 ///     Lp_j + h b_j dH/dq(Q_j) = 0,    Q_i = q + (e_q + (h c_i v + h sum_j n_ij K Lp_j)).
 ///
@@ -25,7 +25,7 @@ protected:
     template <class Coupled>
     static constexpr std::size_t r = Coupled::unknown.size();
 
-    /// Makes room; true where there was not enough.
+    /// Makes room. Returns true where there was not enough.
     template <class Coupled>
     [[nodiscard]] bool make_room(const Coupled& coupled) {
         n_ = static_cast<std::size_t>(coupled.s.n);
@@ -35,7 +35,7 @@ protected:
         return true;
     }
 
-    /// Sets all to 0.
+    /// Sets all unknowns to 0.
     template <class Coupled>
     void begin_at_rest(Coupled& coupled) {
         slopes_.assign(slopes_.size(), Scalar(0));
@@ -43,11 +43,11 @@ protected:
         is_start_ = true;
     }
 
-    /// Lp -= J^-1 (Lp + h b dH/dq); `solve(x)` replaces x by J^-1 x.
+    /// Sets Lp -= J^-1 (Lp + h b dH/dq); `solve(x)` replaces x by J^-1 x.
     ///
-    /// NOTE: first with dH/dq = g + G (Q - q) of the start, G v being what `times(v, out)` puts
-    /// out: where h is not small against the fastest period, q + h c v is no place for H to be
-    /// evaluated at. And the corrected slopes are what the step adds up: see PairEquations.
+    /// NOTE: the first correction uses dH/dq = g + G (Q - q) of the start, where `times(v, out)`
+    /// sets out = G v: where h is not small against the fastest period, H need not be defined at q
+    /// + h c v. The corrected slopes are what the step adds up: see PairEquations.
     template <class Coupled, class Times, class Solve>
     void correct_by(Coupled& coupled, Times&& times, Solve&& solve) {
         if (is_start_) {
@@ -64,8 +64,9 @@ protected:
         put_slopes(coupled);
     }
 
-    /// NOTE: what GMRES finds where it does not come to an end may be next to nothing, far from the
-    /// solution. So that this does not pass for rounding, it counts as a change of all there is.
+    /// Counts the change as large as the values. NOTE: where GMRES does not converge, its
+    /// correction may be next to nothing, far from the solution. Such a correction must not pass
+    /// for rounding.
     template <class Coupled>
     static void count_as_unknown(Coupled& coupled) {
         for (IndexOf<Vector> k = 0; k < coupled.s.n; ++k) {
@@ -73,7 +74,7 @@ protected:
         }
     }
 
-    /// Calls f(i, j, k) for component k of each unknown Lp_j, the unknown i.
+    /// Calls f(i, j, k) for component k of each unknown Lp_j, the unknown number i.
     template <class Coupled, class F>
     void for_each_unknown(F f) const {
         std::size_t i = 0;
@@ -82,7 +83,7 @@ protected:
         }
     }
 
-    /// Multiplies what belongs to one component of x, for all stages, by a matrix.
+    /// Multiplies the vector over all stages of each component of x by a matrix.
     template <std::size_t size>
     void transform(const Scalar (&matrix)[size][size], std::vector<Scalar>& x) const {
         for (std::size_t k = 0; k < n_; ++k) {

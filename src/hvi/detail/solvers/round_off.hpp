@@ -1,4 +1,4 @@
-// When an iteration has reached round-off.
+// The end of an iteration at round-off.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -10,8 +10,8 @@ namespace hvi::detail {
 
 enum class Verdict {
     go_on,
-    unchanged,  ///< not a bit changes any more
-    at_noise,   ///< what still changes is rounding
+    unchanged,  ///< no bit changes any more
+    at_noise,   ///< the changes that remain are rounding
     not_finite,
 };
 
@@ -21,16 +21,16 @@ enum class Verdict {
 /// The rule is that of Antonana, Makazaga & Murua: go on while some component still changes by less
 /// than ever before, allow one more sweep, then stop. NOTE: a change that no longer falls may also
 /// belong to an iteration that diverges, or circles while it converges. So the rule ends an
-/// iteration only when the changes are no more than rounding of the values themselves; where they
-/// stay larger for `patience` sweeps, they are taken for the noise of a gradient with cancellation
-/// if they are tiny against the largest component, and else the iteration goes on to its cap.
+/// iteration only when the changes are no more than rounding of the values themselves. Changes that
+/// stay larger for `patience` sweeps pass for the noise of a gradient with cancellation if they are
+/// tiny against the largest component. Otherwise the iteration goes on to its cap.
 template <class Vector>
 class RoundOff {
 public:
     using Index = IndexOf<Vector>;
     using Scalar = ScalarOf<Vector>;
 
-    /// `rounding`: the part of a value that its change may be and pass for rounding.
+    /// `rounding`: the largest relative change that may pass for rounding.
     explicit RoundOff(Scalar rounding) : rounding_(rounding) {}
 
     void begin(Index n) {
@@ -45,8 +45,9 @@ public:
         stalls_ = 0;
     }
 
-    /// Judges one sweep by what it changed in q, in p or in both. `coupled.size_q(k)` is the sum of
-    /// the absolute values whose rounding shows in component k of `change.q`; the same for p.
+    /// Judges one sweep by its changes of q, of p or of both. `coupled.size_q(k)` is the sum of the
+    /// absolute values whose rounding shows in component k of `change.q`; coupled.size_p(k) is that
+    /// for p.
     template <bool by_q, bool by_p, class Coupled>
     [[nodiscard]] Verdict judge(const State<Vector>& change, const Coupled& coupled) {
         Seen seen;
@@ -61,15 +62,15 @@ public:
         return is_noise<by_q, by_p>(change, coupled) ? Verdict::at_noise : Verdict::go_on;
     }
 
-    /// Whether the last sweep that was judged changed so much more than another before that a
-    /// solution is not worth waiting for, where there are other ways to it.
+    /// Returns whether the last sweep that was judged changed so much more than an earlier one that
+    /// the iteration is worth giving up, where there are other ways to solve the step.
     template <bool by_q, bool by_p, class Coupled>
     [[nodiscard]] bool grows(const State<Vector>& change, const Coupled& coupled) const {
         return total_ > growth * smallest_total_ && !is_noise<by_q, by_p>(change, coupled);
     }
 
-    /// Whether the last sweep that was judged changed all components together by no more than
-    /// half a unit in their last places.
+    /// Returns whether the last sweep that was judged changed all components together by no more
+    /// than half a unit in their last places.
     template <bool by_q, bool by_p, class Coupled>
     [[nodiscard]] bool is_near(const Coupled& coupled) {
         if (unit_ == 0) {
@@ -84,8 +85,8 @@ public:
 private:
     static constexpr Scalar noise = power_of_two<Scalar>(-(3 * bits<Scalar> + 3) / 4);
     static constexpr int patience = 10;
-    // NOTE: of x' = L x the changes of Picard's iteration are (h L)^k/k!, which grows by so much
-    // for h L = 8 before it falls: where that is slower than a step half as long.
+    // NOTE: for x' = L x the changes of Picard's iteration are (h L)^k/k!. For h L = 8 they grow by
+    // this factor before they fall: there a step is slower than two of half its length.
     static constexpr Scalar growth = 64;
 
     struct Seen {
@@ -95,7 +96,7 @@ private:
 
     static void look(const Vector& change, Vector& smallest, Seen& seen) {
         for (Index k = 0; k < change.size(); ++k) {
-            // NOTE: no branch here: which components fall is noise, that no processor predicts.
+            // NOTE: no branch here: which components fall is noise, which no processor predicts.
             seen.total += change[k];
             seen.falls |=
                 static_cast<int>(change[k] > 0) & static_cast<int>(change[k] < smallest[k]);

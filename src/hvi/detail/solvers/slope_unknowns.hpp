@@ -14,14 +14,14 @@
 
 namespace hvi::detail {
 
-/// Whether stages have times, and second derivatives take them.
+/// Whether stages have times that second derivatives take.
 template <class Coupled, class = void>
 struct HasClock : std::false_type {};
 template <class Coupled>
 struct HasClock<Coupled, std::void_t<decltype(std::declval<const Coupled&>().clock)>>
     : std::true_type {};
 
-/// The scaled slopes Lq and Lp of Stages, which are to be what they are at the stages they make.
+/// Scaled slopes Lq and Lp of Stages, which have to equal the slopes at the stages that they make.
 template <class Vector>
 class SlopeUnknowns {
 protected:
@@ -32,7 +32,7 @@ protected:
         return Coupled::unknown_q.size() + Coupled::unknown_p.size();
     }
 
-    /// Makes room; true where there was not enough.
+    /// Makes room. Returns true where there was not enough.
     template <class Coupled>
     [[nodiscard]] bool make_room(const Coupled& coupled) {
         const auto n = static_cast<std::size_t>(coupled.s.n);
@@ -43,7 +43,7 @@ protected:
         return true;
     }
 
-    /// Sets all to 0.
+    /// Sets all unknowns to 0.
     template <class Coupled>
     void begin_at_rest(Coupled& coupled) {
         slopes_.assign(slopes_.size(), Scalar(0));
@@ -52,10 +52,10 @@ protected:
         coupled.positions();
     }
 
-    /// L -= J^-1 (L - slopes at the stages of L); `solve(x)` replaces x by J^-1 x.
+    /// Sets L -= J^-1 (L - slopes at the stages of L); `solve(x)` replaces x by J^-1 x.
     ///
-    /// NOTE: the corrected slopes are what the step adds up, not gradients evaluated at the
-    /// corrected stages: those would carry the rounding of the stages times (h omega)^2.
+    /// NOTE: the step adds up the corrected slopes, not gradients evaluated at the corrected
+    /// stages, which would carry the rounding of the stages times (h omega)^2.
     template <class Coupled, class Solve>
     void correct_by(Coupled& coupled, Solve&& solve) {
         if constexpr (HasJointSlopes<Coupled>::value) {
@@ -76,7 +76,7 @@ protected:
         measure(coupled);
     }
 
-    /// Calls f with the time of stage i, or with nothing where H does not depend on it.
+    /// Calls f with the time of stage i, or without it where H does not depend on the time.
     template <class Coupled, class F>
     static void with_time([[maybe_unused]] const Coupled& coupled, [[maybe_unused]] std::size_t i,
                           F f) {
@@ -125,7 +125,7 @@ private:
         }
     }
 
-    std::vector<Scalar> slopes_, correction_;  ///< of unknown_q, then of unknown_p
+    std::vector<Scalar> slopes_, correction_;  ///< components of unknown_q, then of unknown_p
 };
 
 }  // namespace hvi::detail

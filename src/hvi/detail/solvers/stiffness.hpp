@@ -1,4 +1,4 @@
-// What makes the equations of the stages stiff.
+// The stiffness of the equations of the stages.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -11,10 +11,10 @@
 
 namespace hvi::detail {
 
-/// h G K, of the matrix G of second derivatives of U and that of T.
+/// Sets hGK = h G K, with the matrix G of second derivatives of U and the matrix K of T.
 ///
 /// NOTE: row k of G K is K times row k of G, as K is symmetric. The factors of h^2 G K go one by
-/// one, as h^2 may be too large or too small where this is not: with H = s H_0 and h = h_0/s.
+/// one, as h^2 may be too large or too small where h^2 G K is not: with H = s H_0 and h = h_0/s.
 template <class Coupled, class Scalar>
 void set_hGK(const Coupled& coupled, const SquareMatrix<Scalar>& G, SquareMatrix<Scalar>& hGK) {
     std::decay_t<decltype(coupled.s.at.q)> row{}, product{};

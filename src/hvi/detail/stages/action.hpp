@@ -12,7 +12,7 @@
 
 namespace hvi::detail {
 
-/// a . b
+/// Returns a . b.
 template <class Vector>
 [[nodiscard]] ScalarOf<Vector> dot(const Vector& a, const Vector& b) {
     ScalarOf<Vector> sum = 0;
@@ -20,7 +20,7 @@ template <class Vector>
     return sum;
 }
 
-/// Whether both are the same state, bit for bit.
+/// Returns whether both are the same state, bit for bit.
 template <class Vector>
 [[nodiscard]] bool same_state(const State<Vector>& x, const State<Vector>& y) {
     return same_bits(x.q, y.q) && same_bits(x.p, y.p);
@@ -30,27 +30,27 @@ template <class Vector>
     return same_bits(x.q, y.q) && same_bits(x.p, y.p) && x.t == y.t;
 }
 
-/// (4.19), or (4.2), and (3.11) by the integrals of p dq - H dt over the steps l = 0, ..., k - 1,
-/// in which U_i, the velocity at stage i, is dH/dp(Q_i, P_i) for (4.19),
+/// Action of (4.19), or (4.2), and (3.11), by the integrals of p dq - H dt over the steps l = 0,
+/// ..., k - 1. U_i is the velocity at stage i, for (4.19) dH/dp(Q_i, P_i):
 ///
 ///     A_l = h sum_i b_i (P_i . U_i - H(Q_i, P_i)) = h sum_i b_i L(Q_i, U_i),
 ///     H_d^+(q_l, p_{l+1}) = p_{l+1} . q_{l+1} - A_l,    S_d^k = p_k . q_k - sum_l A_l.
 ///
-/// What rounding cuts off from the sum of all A_l is kept. It begins anew with a step that does not
-/// begin, bit for bit, where the last one that went well has ended. A step that failed leaves all
-/// as it was, so that it can be tried again.
+/// The remainder that rounding cuts off from the sum of all A_l is kept. The sum begins anew with a
+/// step that does not begin, bit for bit, where the last good step has ended. A step that failed
+/// leaves all as it was, so that it can be tried again.
 template <class State>
 class ActionSum {
 public:
     using Scalar = ScalarOf<decltype(State::q)>;
 
-    /// A step from x, over which A_l is `integral`, is about to end.
+    /// Prepares for the end of a step from x, over which A_l is `integral`.
     void begin(const State& x, Scalar integral) {
         continues_ = ended_ && same_state(at_, x);
         integral_ = integral;
     }
 
-    /// It has ended in x, or failed, as `status` says.
+    /// Ends the step in x, or leaves all as it was where `status` is not ok.
     [[nodiscard]] Status end(const State& x, Status status) {
         if (!status.ok()) { return status; }
         const Sum<Scalar> before = continues_ ? sum_ : Sum<Scalar>{0, 0};
@@ -64,21 +64,21 @@ public:
 
     void forget() { ended_ = false; }
 
-    /// H_d^+ of the last step, and S_d^k: NaN where there is none.
+    /// Return H_d^+ of the last step, and S_d^k; NaN where there was none.
     [[nodiscard]] Scalar of_step() const { return ended_ ? of_step_ : nothing(); }
     [[nodiscard]] Scalar of_steps() const {
         return ended_ ? (product_ - sum_.value) - sum_.remainder : nothing();
     }
 
 private:
-    // NOTE: that of float, as of __float128 the standard library may know none.
+    // NOTE: NaN of float, as the standard library may know none of __float128.
     [[nodiscard]] static Scalar nothing() {
         return static_cast<Scalar>(std::numeric_limits<float>::quiet_NaN());
     }
 
-    State at_{};  // where the last step that went well ended
+    State at_{};  // end of the last good step
     Sum<Scalar> sum_{0, 0};
-    Scalar integral_ = 0;  // over the step under way
+    Scalar integral_ = 0;  // over the present step
     Scalar product_ = 0;   // p . q in at_
     Scalar of_step_ = 0;
     bool continues_ = false;

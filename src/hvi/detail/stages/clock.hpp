@@ -22,15 +22,15 @@ struct TimedState : State<Vector> {
 
 namespace detail {
 
-/// The times T_i = t + c_i h of the stages. The time is a coordinate of the extended system whose
-/// momentum nobody asks for, and its velocity is 1: (4.18c) gives T_i. It is summed up with
-/// compensation, and what rounding cut off is bound to the time at which the last step ended.
+/// Times T_i = t + c_i h of the stages. The time is a coordinate of the extended system. Its
+/// velocity is 1, and its momentum is not needed: (4.18c) gives T_i. The time is summed up with
+/// compensation, and its remainder belongs to the time at which the last step ended.
 template <class Scalar>
 class StepClock {
 public:
     Scalar start = 0;  ///< of the step
 
-    /// Begins a step; false where the last one did not end at this time.
+    /// Begins a step. Returns false where the last one did not end at this time.
     [[nodiscard]] bool begin(Scalar now, Scalar h) {
         const bool continues = ended_ && now == end_;
         if (!continues) { remainder_ = 0; }
@@ -40,11 +40,11 @@ public:
         return continues;
     }
 
-    /// T_i of a stage with this c_i.
+    /// Returns T_i of a stage with this c_i.
     [[nodiscard]] Scalar at(Scalar c) const { return start + (remainder_ + c * h_); }
 
-    /// Whether the step ends at a finite time. NOTE: asked before the step, since its state has
-    /// moved when end() is called.
+    /// Returns whether the step ends at a finite time. NOTE: asked before the step, since its state
+    /// has moved when end() is called.
     [[nodiscard]] bool ends() const { return is_finite(start + (remainder_ + h_)); }
 
     /// Moves the time on where the step went well.
@@ -60,7 +60,7 @@ public:
 
 private:
     Scalar end_ = 0;
-    Scalar remainder_ = 0;  // what rounding cut off from end_
+    Scalar remainder_ = 0;  // remainder of end_
     Scalar h_ = 0;
     bool ended_ = false;
 };

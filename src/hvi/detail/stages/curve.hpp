@@ -11,9 +11,9 @@
 
 namespace hvi::detail {
 
-/// sum_k table[i][k-1] g_k(tau) for each i, with g_k(tau) = (P_{k+1} - P_{k-1})(2 tau - 1)/2 of
-/// Legendre's polynomials: by how much the curve departs from its chord, for each slope. At tau = 0
-/// and 1 it is 0 without rounding, as the recurrence gives P_k = 1 and -1 exactly there.
+/// Returns sum_k table[i][k-1] g_k(tau) for each slope i, the distance of the curve from its chord,
+/// with g_k(tau) = (P_{k+1} - P_{k-1})(2 tau - 1)/2 of Legendre's polynomials. At tau = 0 and 1 the
+/// sum is 0 without rounding, as the recurrence gives P_k = 1 and -1 exactly there.
 template <class Scalar, std::size_t slopes, std::size_t functions>
 [[nodiscard]] std::array<Scalar, slopes> departures(const Scalar (&table)[slopes][functions],
                                                     Scalar tau) {
@@ -33,7 +33,7 @@ template <class Scalar, std::size_t slopes, std::size_t functions>
     return sums;
 }
 
-/// The same for g_k(tau) = at_tau_k - tau at_one_k.
+/// Returns the sums with g_k(tau) = at_tau_k - tau at_one_k.
 template <class Scalar, std::size_t slopes, std::size_t functions>
 [[nodiscard]] std::array<Scalar, slopes> departures(const Scalar (&table)[slopes][functions],
                                                     Scalar tau,
@@ -47,10 +47,10 @@ template <class Scalar, std::size_t slopes, std::size_t functions>
     return sums;
 }
 
-/// As many NaN as v has numbers.
+/// Returns v with NaN in all its components.
 template <class Vector>
 [[nodiscard]] Vector nowhere(Vector v = {}) {
-    // NOTE: that of float, as of __float128 the standard library may know none.
+    // NOTE: NaN of float, as the standard library may know none of __float128.
     const auto nan = static_cast<ScalarOf<Vector>>(std::numeric_limits<float>::quiet_NaN());
     for (IndexOf<Vector> k = 0; k < v.size(); ++k) { v[k] = nan; }
     return v;

@@ -15,15 +15,15 @@
 
 namespace hvi::detail {
 
-/// The curve with the velocity sum_j phi_j V_j, W_j = h V_j, and the momenta P_i = p + (e_p + Y_i)
-/// at its nodes,
+/// The curve with the velocity sum_j phi_j V_j, where W_j = h V_j, and the momenta P_i = p + (e_p +
+/// Y_i) at its nodes:
 ///
 ///     Q_i = q + (e_q + sum_j A_ij W_j),    next q = q + (e_q + sum_j B_j W_j),
 ///     F_j = sum_i X_ij Y_i - sum_i D_ij Lp_i = 0,    next p = p + (e_p + sum_i Lp_i),
 ///
-/// where the sum of X_ij over i is B_j, so that Y_i may stand for P_i. The step is symplectic when
-/// A_ij + D_ij == B_j; both hold exactly in every format. What Lp_i and P_i are of the curve is
-/// for Hamiltonians in CurveStages.
+/// The sum of X_ij over i is B_j, so that Y_i may stand for P_i. The step is symplectic when A_ij +
+/// D_ij == B_j; both hold exactly in every format. CurveStages defines Lp_i and P_i for
+/// Hamiltonians, LagrangianStages for Lagrangians.
 template <class Vector, std::size_t nodes, std::size_t functions>
 struct Curve : StepMemory<Vector> {
     using Scalar = ScalarOf<Vector>;
@@ -41,13 +41,13 @@ struct Curve : StepMemory<Vector> {
         weighed_ = this->h;
     }
 
-    /// No velocity, and the momenta of the state.
+    /// Sets the velocity to zero, and the momenta to those of the state.
     void rest() {
         set_zero(W);
         set_zero(Y);
     }
 
-    /// Q_i, and by how much they change.
+    /// Sets Q_i, and how much they change.
     void positions(const Table& A) {
         for (Index k = 0; k < this->at.q.size(); ++k) {
             Scalar distance = 0;
@@ -62,7 +62,7 @@ struct Curve : StepMemory<Vector> {
         }
     }
 
-    /// P_i, and by how much they change.
+    /// Sets P_i, and how much they change.
     void momenta() {
         for (Index k = 0; k < this->at.q.size(); ++k) {
             Scalar distance = 0;
@@ -75,7 +75,7 @@ struct Curve : StepMemory<Vector> {
         }
     }
 
-    /// h b_i times the velocity at node i: sum_j X_ij W_j.
+    /// Returns h b_i times the velocity at node i: sum_j X_ij W_j.
     [[nodiscard]] Vector way(std::size_t i, const Table& X) const {
         Vector result = W[0];
         for (Index k = 0; k < this->at.q.size(); ++k) {
@@ -86,7 +86,7 @@ struct Curve : StepMemory<Vector> {
         return result;
     }
 
-    /// F_j.
+    /// Returns F_j.
     [[nodiscard]] Vector defect(std::size_t j, const Table& X, const Table& D) const {
         Vector F = Y[0];
         for (Index k = 0; k < this->at.q.size(); ++k) {
@@ -99,8 +99,8 @@ struct Curve : StepMemory<Vector> {
         return F;
     }
 
-    /// What the rounding of component k of Q, and of P, is to be compared with. NOTE: with q, or
-    /// p, since a stage may be near 0 where that is not.
+    /// Returns the size that the rounding of component k of Q, and of P, is compared with. NOTE: it
+    /// includes q, or p, since a stage may be near 0 where q or p is not.
     [[nodiscard]] Scalar size_q(Index k) const {
         Scalar size = abs(this->at.q[k]);
         for (const Vector& Q_i : Q) { size += abs(Q_i[k]); }
@@ -133,7 +133,7 @@ private:
         }
     }
 
-    Scalar weighed_ = 0;  ///< the step size of hb
+    Scalar weighed_ = 0;  ///< step size of hb
 };
 
 /// A Curve of H(q, p): Lp_i = -h b_i dH/dq(Q_i, P_i), Lq_i = h b_i dH/dp(Q_i, P_i), and
@@ -150,7 +150,7 @@ struct CurveStages : Curve<Vector, nodes, functions> {
 
     std::array<Vector, nodes> Lq{};
 
-    /// From the derivatives of H at node i.
+    /// Sets the slopes from the derivatives of H at node i.
     void set_slopes(std::size_t i, const Vector& dHdq, const Vector& dHdp) {
         for (Index k = 0; k < this->at.q.size(); ++k) {
             this->Lp[i][k] = -this->hb[i] * dHdq[k];
@@ -158,19 +158,20 @@ struct CurveStages : Curve<Vector, nodes, functions> {
         }
     }
 
-    /// The same at all nodes.
+    /// Sets the slopes at all nodes from one pair of derivatives.
     void set_slopes(const Vector& dHdq, const Vector& dHdp) {
         for (std::size_t i = 0; i < nodes; ++i) { set_slopes(i, dHdq, dHdp); }
     }
 
-    /// E_i.
+    /// Returns E_i.
     [[nodiscard]] Vector defect_of_velocity(std::size_t i, const Table& X) const {
         Vector E = this->way(i, X);
         for (Index k = 0; k < this->at.q.size(); ++k) { E[k] -= Lq[i][k]; }
         return E;
     }
 
-    /// A step of Newton's method with the Jacobian of h -> 0, in which d2H/dp2 is K everywhere:
+    /// Takes a step of Newton's method with the Jacobian of h -> 0, in which d2H/dp2 is K
+    /// everywhere:
     ///
     ///     G_j dW_j = -sum_i phi_ij E_i - h K F_j,    h b_i K dY_i = sum_j X_ij dW_j + E_i.
     ///
@@ -200,7 +201,8 @@ struct CurveStages : Curve<Vector, nodes, functions> {
         }
     }
 
-    /// Starting values: the curve of the last step, and the polynomial through its momenta.
+    /// Sets starting values: the curve of the last step, and the polynomial through its momenta,
+    /// extrapolated.
     void extrapolate(const Scalar (&N_W)[functions][functions], const Scalar (&N_P)[nodes][nodes]) {
         for (Index k = 0; k < this->at.q.size(); ++k) {
             std::array<Scalar, functions> W_k;

@@ -1,4 +1,4 @@
-// Paths that momenta would lead along, and the kicks of forces, in the units of positions.
+// Free paths of momenta and kicks of forces, in the units of positions.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -11,15 +11,15 @@
 
 namespace hvi::detail {
 
-// A step of H = p^T K p/2 + U(q) is symplectic where positions and momenta are moved by one and
-// the same step size. For a given h, however, roundings of h x have a mean that is not 0 and is
-// another one for each set of x: with h K p and h K Lp rounded each for itself the energy drifts
-// (kepler, gauss:12, h = 1/5: by 2.6e-19 of H a step). So p is taken to w = (h K) p, forces kick
-// w, and p is w/(h K) at the end: both ways in twice the digits, with one number h K. What a kick
-// W_j has been rounded to is the same then in the stages, in q and in p.
+// A step of H = p^T K p/2 + U(q) is symplectic where positions and momenta are moved by one and the
+// same step size. For a given h, however, roundings of h x have a mean that is not 0 and differs
+// from set to set of x: with h K p and h K Lp rounded each for itself the energy drifts (kepler,
+// gauss:12, h = 1/5: by 2.6e-19 of H a step). So p is turned into w = (h K) p, forces kick w, and p
+// is w/(h K) at the end: both ways in twice the digits, with one number h K. A kick W_j is then
+// rounded in the same way in the stages, in q and in p.
 
-/// x moved by far + near, where `near` is small or far is exact; `remainder` is what rounding cut
-/// off so far, and has afterwards what it cuts off now. Of numbers or of lanes.
+/// Moves x by far + near, where `near` is small or far is exact. `remainder` is what rounding has
+/// cut off from x before, and becomes what it cuts off now. V is a number or lanes.
 template <class V>
 [[gnu::always_inline]] constexpr void move_far(V& x, V& remainder, const V& far, const V& near) {
     const Sum<V> first = two_sum<V>(x, far);
@@ -28,10 +28,10 @@ template <class V>
     remainder = both.remainder;
 }
 
-/// x moved by kick + rest, where the rest is what rounding cut off from the kick.
+/// Moves x by kick + rest, where the rest is what rounding cut off from the kick.
 ///
-/// NOTE: `remainder` may be a little more than half a unit in the last place of x: the next step,
-/// which begins with x, waits for two sums instead of two exact ones.
+/// NOTE: `remainder` may be a little more than half a unit in the last place of x. The next step,
+/// which begins with x, then waits for two sums instead of two exact ones.
 template <class V>
 [[gnu::always_inline]] constexpr void move_by_kick(V& x, V& remainder, const Pair<V>& kick) {
     const Sum<V> near = two_sum<V>(kick.hi, remainder);
@@ -40,7 +40,7 @@ template <class V>
     remainder = sum.remainder + (near.remainder + kick.lo);
 }
 
-/// factor (p + e_p) + offset, where the offset is small or p is 0.
+/// Returns factor (p + e_p) + offset, where the offset is small or p is 0.
 template <class V>
 [[nodiscard, gnu::always_inline]] inline Pair<V> scaled_momentum(const V& factor, const V& p,
                                                                  const V& e_p, const V& offset) {
@@ -48,7 +48,7 @@ template <class V>
     return {product.hi, product.lo + (factor * e_p + offset)};
 }
 
-/// kick / factor, where `inverse` is 1/factor, rounded.
+/// Returns kick / factor, where `inverse` is 1/factor, rounded.
 template <class V>
 [[nodiscard, gnu::always_inline]] inline Pair<V> momentum_of(const Pair<V>& kick, const V& factor,
                                                              const V& inverse) {
@@ -57,10 +57,10 @@ template <class V>
     return {quotient, (((kick.hi - product.hi) - product.lo) + kick.lo) * inverse};
 }
 
-/// The sum of f(first), f(first + 1), ..., of which `lo` is what rounding cuts off from `hi`.
+/// Returns the sum of f(first), f(first + 1), ...; `lo` is what rounding cuts off from `hi`.
 ///
-/// NOTE: rounded sums of the kicks of stages are as biased as products with h: those of kepler's
-/// gauss:12 with h = 1/5, added up one after the other, by 3e-19 of H a step.
+/// NOTE: rounded sums of the kicks of stages are as biased as products with h: added up one after
+/// the other, those of kepler with gauss:12 and h = 1/5 drift by 3e-19 of H a step.
 template <class V, std::size_t count, std::size_t first = 0, class F>
 [[nodiscard, gnu::always_inline]] inline Pair<V> exact_sum(const F& f) {
     if constexpr (count == 1) {
@@ -73,17 +73,18 @@ template <class V, std::size_t count, std::size_t first = 0, class F>
     }
 }
 
-/// The factors h K_k from momenta to paths in a step of size h, where K is diagonal; else h, and
-/// paths are K times scaled momenta.
+/// Factors h K_k from momenta to paths in a step of size h, where K is diagonal. Otherwise the
+/// factor is h, and paths are K times scaled momenta.
 ///
-/// NOTE: what does not depend on h is computed once: steps of a composition have sizes in turn.
+/// NOTE: values that do not depend on h are computed once, as steps of a composition have sizes in
+/// turn.
 template <class Vector>
 class PathFactors {
 public:
     using Index = IndexOf<Vector>;
     using Scalar = ScalarOf<Vector>;
 
-    /// Precondition: it is the same system each time.
+    /// Sets the factors for h. Precondition: the system is the same each time.
     template <class System>
     void set(const System& system, Index n, Scalar h) {
         if (!is_known_ || n != K_.size()) { look_at(system, n); }
@@ -100,10 +101,10 @@ public:
     [[nodiscard]] const Vector& all() const { return factor_; }
     [[nodiscard]] const Scalar& inverse(Index k) const { return inverse_[k]; }
 
-    /// h times what dH/dp is without p.
+    /// Returns h times the part of dH/dp that does not depend on p.
     [[nodiscard]] const Scalar& offset(Index k) const { return offset_[k]; }
 
-    /// Room for momenta times factors.
+    /// Returns room for momenta times factors.
     [[nodiscard]] Vector& scratch() { return scratch_; }
 
     /// Sets path + rest to w = h dH/dp, to twice the digits.
@@ -136,7 +137,7 @@ public:
     }
 
 private:
-    /// Sets what does not depend on h.
+    /// Sets the values that do not depend on h.
     template <class System>
     [[gnu::noinline]] void look_at(const System& system, Index n) {
         for (Vector* v : {&K_, &velocity_, &factor_, &inverse_, &offset_, &scratch_}) {
@@ -153,7 +154,7 @@ private:
         is_known_ = true;
     }
 
-    /// Moves p where some factors are 0, and forces alone tell of kicks.
+    /// Moves p where some factors are 0, so that the forces alone give the change.
     template <class Kick, class Force>
     [[gnu::noinline]] void kick_some(Vector& p, Vector& e_p, const Kick& kick,
                                      const Force& force) const {
@@ -166,8 +167,8 @@ private:
 
     Vector K_{}, velocity_{};  ///< K_k, or 1; dH/dp without p
     Vector factor_{}, inverse_{}, offset_{}, scratch_{};
-    bool is_known_ = false;   ///< what does not depend on h
-    bool has_zeros_ = false;  ///< some momenta do not move their positions
+    bool is_known_ = false;   ///< whether the values that do not depend on h are set
+    bool has_zeros_ = false;  ///< whether some momenta do not move their positions
 };
 
 }  // namespace hvi::detail

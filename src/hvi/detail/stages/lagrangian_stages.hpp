@@ -12,8 +12,8 @@
 
 namespace hvi::detail {
 
-/// A Curve of L(q, v), on which the momenta are no unknowns: at node i, where the velocity is
-/// U_i = sum_j phi_ij V_j,
+/// A Curve of L(q, v) whose momenta are no unknowns: at node i, where the velocity is U_i = sum_j
+/// phi_ij V_j,
 ///
 ///     P_i = dL/dv(Q_i, U_i),    Lp_i = h b_i dL/dq(Q_i, U_i).
 ///
@@ -25,14 +25,14 @@ struct LagrangianStages : Curve<Vector, nodes, functions> {
     using typename Base::Scalar;
     using typename Base::Table;
 
-    /// U_i.
+    /// Returns U_i.
     [[nodiscard]] Vector velocity(std::size_t i, const Table& X) const {
         Vector U = this->way(i, X);
         for (Index k = 0; k < this->n; ++k) { U[k] /= this->hb[i]; }
         return U;
     }
 
-    /// From the derivatives of L at node i.
+    /// Sets the slopes from the derivatives of L at node i.
     void set_slopes(std::size_t i, const Vector& dLdq, const Vector& dLdv) {
         for (Index k = 0; k < this->n; ++k) {
             this->Lp[i][k] = this->hb[i] * dLdq[k];
@@ -40,8 +40,8 @@ struct LagrangianStages : Curve<Vector, nodes, functions> {
         }
     }
 
-    /// A step of Newton's method with the Jacobian of h -> 0, in which d2L/dv2 is M everywhere:
-    /// G_j M dW_j = -h F_j. The basis is orthogonal for the rule.
+    /// Takes a step of Newton's method with the Jacobian of h -> 0, in which d2L/dv2 is M
+    /// everywhere: G_j M dW_j = -h F_j. The basis is orthogonal for the rule.
     void correct(const Table& X, const Table& D, const Scalar (&inverse_G)[functions],
                  const FrozenMatrix<Vector>& M) {
         for (std::size_t j = 0; j < functions; ++j) {
@@ -54,7 +54,7 @@ struct LagrangianStages : Curve<Vector, nodes, functions> {
 
     // ---- starting values ----
 
-    /// The velocity v throughout: as 1 is in the span, V_j = B_j v/G_j.
+    /// Sets the velocity to v throughout: as 1 is in the span, V_j = B_j v/G_j.
     void go_straight(const Vector& v, const Scalar (&B)[functions],
                      const Scalar (&inverse_G)[functions]) {
         for (std::size_t j = 0; j < functions; ++j) {
@@ -64,7 +64,7 @@ struct LagrangianStages : Curve<Vector, nodes, functions> {
         }
     }
 
-    /// The curve of the last step goes on.
+    /// Extrapolates the curve of the last step.
     void extrapolate(const Scalar (&N_W)[functions][functions]) {
         for (Index k = 0; k < this->n; ++k) {
             std::array<Scalar, functions> last;
@@ -84,7 +84,7 @@ template <class Vector>
     return v;
 }
 
-/// v of p = dL/dv(q, v), by M v = p - dL/dv(q, 0) with M = d2L/dv2; `time` is none, or t.
+/// Returns v of p = dL/dv(q, v), by M v = p - dL/dv(q, 0) with M = d2L/dv2; `time` is none, or t.
 /// Precondition: `matrix` holds M.
 template <class System, class Vector, class... Time>
 [[nodiscard]] Vector velocity_of(const System& system, const FrozenMatrix<Vector>& matrix,
@@ -96,7 +96,7 @@ template <class System, class Vector, class... Time>
     return matrix.solve(momentum);
 }
 
-/// The same; no numbers where M is singular.
+/// Returns v of p = dL/dv(q, v); NaN where M is singular.
 template <class System, class Vector, class... Time>
 [[nodiscard]] Vector velocity_of(const System& system, const Vector& q, const Vector& p,
                                  const Time&... time) {

@@ -6,15 +6,15 @@
 
 namespace hvi::detail {
 
-/// Where an increment leads to, of numbers or of lanes. The increment begins with what rounding has
-/// cut off from the point so far.
+/// Returns the point plus an increment, both numbers or lanes. The increment includes what rounding
+/// has cut off from the point before.
 template <class Point, class Increment>
 [[nodiscard, gnu::always_inline]] constexpr auto moved(const Point& point,
                                                        const Increment& increment) {
     return point + increment;
 }
 
-/// Moves the point by `remainder + increment`, of which the remainder keeps what rounding cuts off.
+/// Moves the point by `remainder + increment`; the remainder keeps what rounding cuts off.
 template <class Scalar>
 constexpr void move(Scalar& point, Scalar& remainder, Scalar increment) {
     const Sum<Scalar> sum = two_sum(point, remainder + increment);

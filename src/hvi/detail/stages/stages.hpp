@@ -13,7 +13,7 @@
 
 namespace hvi::detail {
 
-/// The stage values Q_i, P_i of (4.18) and their slopes in scaled form,
+/// Stage values Q_i, P_i of (4.18) and their slopes in scaled form,
 ///
 ///     Lq_j = h b_j dH/dp(Q_j, P_j),    Lp_i = -h b_i dH/dq(Q_i, P_i),
 ///     Q_i = q + (e_q + sum_j m_ij Lq_j),    P_j = p + (e_p + sum_i mt_ji Lp_i),
@@ -26,10 +26,10 @@ struct Stages : StepMemory<Vector> {
 
     std::array<Vector, positions> Q{}, Lp{};
     std::array<Vector, momenta> P{}, Lq{};
-    std::array<Scalar, momenta> hb_q{};    ///< h b_j of Lq_j; see weigh()
-    std::array<Scalar, positions> hb_p{};  ///< h b_i of Lp_i
+    std::array<Scalar, momenta> hb_q{};    ///< h b_j for Lq_j; see weigh()
+    std::array<Scalar, positions> hb_p{};  ///< h b_i for Lp_i
 
-    /// See StepMemory.
+    /// Begins a step; see StepMemory.
     [[nodiscard]] Status begin(const State<Vector>& x, Scalar step_size) {
         const Status status = StepMemory<Vector>::begin(x, step_size);
         if (!status.ok() || this->continues) { return status; }
@@ -48,7 +48,7 @@ struct Stages : StepMemory<Vector> {
         weighed_ = this->h;
     }
 
-    /// These slopes times a factor; see Sweeps.
+    /// Multiplies these slopes by a factor; see Sweeps.
     template <class Indices, class OtherIndices>
     void nudge(const Indices& of_q, const OtherIndices& of_p, Scalar factor) {
         for (const std::size_t j : of_q) { scale(Lq[j], factor); }
@@ -73,7 +73,7 @@ private:
         for (IndexOf<Vector> k = 0; k < this->n; ++k) { x[k] *= factor; }
     }
 
-    Scalar weighed_ = 0;  ///< the step size of hb_q and hb_p
+    Scalar weighed_ = 0;  ///< step size of hb_q and hb_p
 };
 
 }  // namespace hvi::detail

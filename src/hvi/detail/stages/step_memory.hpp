@@ -1,4 +1,4 @@
-// What an implicit stepper remembers from one step to the next.
+// Memory of an implicit stepper from one step to the next.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -13,8 +13,8 @@ namespace hvi::detail {
 /// The state, and the remainder (e_q, e_p) of the sums so far, which enters the stages, not the
 /// update alone (Antonana, Makazaga & Murua).
 ///
-/// Remainder, slopes and whatever else one step leaves for the next are bound to the state in which
-/// that step ended: begin() forgets them unless it is given these very bits.
+/// Remainder, slopes and all else that one step leaves for the next belong to the state in which
+/// that step ended: begin() drops them unless it is given exactly these bits.
 template <class Vector>
 struct StepMemory {
     using Index = IndexOf<Vector>;
@@ -26,17 +26,18 @@ struct StepMemory {
     State<Vector> change;     ///< of the stage values in one sweep: for each component, over stages
     Index n{};                ///< dimension of q and of p
     Scalar h = 0;
-    Scalar h_before = 0;     ///< step size that the slopes belong to; 0 when there are none
-    bool side = false;       ///< another one in each step; see Sweeps
-    bool continues = false;  ///< the step begins, bit for bit, where the last one ended
-    bool goes_on = false;    ///< and that was as large as it should be: what it left is of use
+    Scalar h_before = 0;     ///< step size of the slopes; 0 when there are none
+    bool side = false;       ///< changes with each step; see Sweeps
+    bool continues = false;  ///< whether the step begins, bit for bit, where the last one ended
+    bool goes_on = false;    ///< whether the last one also had the wanted size: its slopes help
 
     /// Prepares a step of size h from x. Precondition: h != 0.
     [[nodiscard]] Status begin(const State<Vector>& x, Scalar step_size) {
         return begin(x, step_size, step_size);
     }
 
-    /// The same of one of several steps in a row, of which the last should be of this size.
+    /// Prepares a step of size h from x, one of several steps in a row. Slopes are of use where the
+    /// last step had the size `size_before`.
     [[nodiscard]] Status begin(const State<Vector>& x, Scalar step_size, Scalar size_before) {
         if (!sums_are_exact_) { return Status(Status::Code::unsafe_arithmetic); }
         if (!is_finite(step_size)) { return Status(Status::Code::not_finite); }
@@ -56,7 +57,7 @@ struct StepMemory {
         detail::move(value, cut_off, increment);
     }
 
-    /// Ends the step: x becomes `at`, unless that is not finite.
+    /// Ends the step: sets x to `at`, unless `at` is not finite.
     [[nodiscard]] Status end(State<Vector>& x, int iterations) {
         if (!finite(at.q, at.p)) { return Status(Status::Code::not_finite, iterations); }
         x.q = at.q;
@@ -67,15 +68,15 @@ struct StepMemory {
 
     void forget() { ended_ = false; }
 
-    /// Takes x for the state in which the last step ended, from which it differs by rounding alone:
-    /// what that step left is of use there. Precondition: x has the dimension of that state.
+    /// Takes x for the state in which the last step ended, from which it differs by rounding alone,
+    /// so that the memory of that step is of use. Precondition: x has the dimension of that state.
     void go_on_from(const State<Vector>& x) {
         if (!ended_) { return; }
         at.q = x.q;
         at.p = x.p;
     }
 
-    /// Whether `at`, `h` and the slopes are those of a step that went well.
+    /// Returns whether `at`, `h` and the slopes are those of a good step.
     [[nodiscard]] bool has_ended() const { return ended_; }
 
 private:
@@ -90,7 +91,7 @@ private:
         }
     }
 
-    bool ended_ = false;  ///< `at` is where a step ended well
+    bool ended_ = false;  ///< whether `at` is the end of a good step
     bool sums_are_exact_ = sums_are_exact<Scalar>();
 };
 

@@ -12,16 +12,16 @@
 
 namespace hvi::detail {
 
-/// Where the last step ended, and the remainder (e_q, e_p) that rounding cut off from it. The
-/// increments of a step are summed apart, beginning with it, and the state takes one exact sum a
-/// step. Its stages, where slopes are evaluated, are plain sums beside them.
+/// The end of the last step, and its remainder (e_q, e_p). The increments of a step are summed
+/// apart, beginning with the remainder, and the state takes one exact sum a step. The stages, where
+/// slopes are evaluated, are plain sums beside them.
 ///
-/// NOTE: all this changes in end() alone, so that a step that failed can be tried again.
+/// NOTE: only end() changes them, so that a step that failed can be tried again.
 template <class Vector>
 class StepSums {
 public:
-    /// Begins a step from x: change = (e_q, e_p), or 0 unless x is, bit for bit, where the last
-    /// step ended. False where sums do not round as they should.
+    /// Begins a step from x: change = (e_q, e_p), or 0 unless x is, bit for bit, the end of the
+    /// last step. Returns false where sums do not round as they should.
     [[nodiscard]] constexpr bool begin(const State<Vector>& x, Vector& change_q, Vector& change_p) {
         continues_ = ended_ && same_bits(at_.q, x.q) && same_bits(at_.p, x.p);
         for (Index k = 0; k < x.q.size(); ++k) {
@@ -31,7 +31,7 @@ public:
         return continues_ || is_constant_evaluated() || sums_are_exact<Scalar>();
     }
 
-    /// Whether the step under way began where the last one ended.
+    /// Returns whether the present step began where the last one ended.
     [[nodiscard]] constexpr bool continues() const { return continues_; }
 
     /// Adds the changes to x, by way of the vectors `q` and `p`, where the sums are finite.
@@ -57,7 +57,7 @@ private:
     using Index = IndexOf<Vector>;
     using Scalar = ScalarOf<Vector>;
 
-    /// The sum of both, exactly: of `change` there remains what rounding cuts off.
+    /// Sets `sum` to from + change, and `change` to the remainder of the sum.
     static constexpr void add(const Vector& from, Vector& change, Vector& sum) {
         for (Index k = 0; k < from.size(); ++k) {
             const Sum<Scalar> exact = two_sum(from[k], change[k]);

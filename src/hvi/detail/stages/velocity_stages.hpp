@@ -14,7 +14,7 @@
 
 namespace hvi::detail {
 
-/// The stages of H = p^T K p/2 + U(q), the momenta eliminated, for w = h K p at the start:
+/// Stages of H = p^T K p/2 + U(q) without their momenta, for w = h K p at the start:
 ///
 ///     Lp_j = -h b_j dH/dq(Q_j),    W_j = h K Lp_j,
 ///     Q_i = q + (e_q + c_i w + sum_j n_ij W_j),
@@ -32,7 +32,7 @@ struct VelocityStages : StepMemory<Vector> {
     Vector free_path{}, rest_of_path{};    ///< w is the sum of both
     std::array<Scalar, stages> hb{};       ///< h b_j
 
-    /// See StepMemory.
+    /// Begins a step; see StepMemory.
     [[nodiscard]] Status begin(const State<Vector>& x, Scalar step_size) {
         const Status status = StepMemory<Vector>::begin(x, step_size);
         if (!status.ok() || this->continues) { return status; }
@@ -44,7 +44,7 @@ struct VelocityStages : StepMemory<Vector> {
         return status;
     }
 
-    /// Sets what depends on h alone.
+    /// Sets the values that depend on h alone.
     template <class System>
     void weigh(const System& system, const Scalar (&b)[stages]) {
         if (this->h == weighed_ && this->n == weighed_size_) { return; }
@@ -54,7 +54,7 @@ struct VelocityStages : StepMemory<Vector> {
         weighed_size_ = this->n;
     }
 
-    /// Sets w and `drifted`, the stages being at the times c.
+    /// Sets w and `drifted` for stages at the times c.
     template <class System>
     void drift_freely(const System& system, const Scalar (&c)[stages]) {
         factors_.scale(system, this->at.p, this->remainder.p, free_path, rest_of_path);
@@ -66,7 +66,7 @@ struct VelocityStages : StepMemory<Vector> {
         }
     }
 
-    /// W_j from Lp_j.
+    /// Sets W_j from Lp_j.
     template <class System>
     void drift(const System& system, std::size_t j) {
         const Vector& from = Lp[j];
@@ -105,7 +105,7 @@ struct VelocityStages : StepMemory<Vector> {
     void set_force(std::size_t j, std::size_t k, Scalar value) { detail::at(Lp[j], k) = value; }
 
 private:
-    /// The sum of the forces Lp_j, each times the factor of momenta and rounded.
+    /// Returns the sum of the forces Lp_j, each times the factor of momenta and rounded.
     template <class System>
     [[nodiscard]] Pair<Scalar> kick(Index k) const {
         return exact_sum<Scalar, stages>([&](std::size_t j) {
@@ -118,7 +118,7 @@ private:
     }
 
     PathFactors<Vector> factors_;
-    Scalar weighed_ = 0;    ///< the step size of hb and the factors
+    Scalar weighed_ = 0;    ///< step size of hb and the factors
     Index weighed_size_{};  ///< of the vectors
 };
 

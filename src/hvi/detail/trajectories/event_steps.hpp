@@ -33,7 +33,7 @@ public:
     using Output = std::function<void(const State&, Scalar)>;
     using TimeOf = std::function<Scalar(const State&)>;
 
-    /// Takes short steps by the stepper, a copy of the one that takes steps.
+    /// `stepper` takes the short steps; it is a copy of the one that takes steps.
     EventSteps(std::vector<Event<Stepper>> events, Stepper stepper)
         : events_(std::move(events)), cursors_(events_.size()), stretch_(std::move(stepper)) {}
 
@@ -43,8 +43,8 @@ public:
         output_ = std::move(output);
     }
 
-    /// Chooses the time of a state, where it is no multiple of steps. Precondition: it grows with
-    /// the steps.
+    /// Chooses a function for the time of a state, where it is not a multiple of h. Precondition:
+    /// the time grows with the steps.
     void take_time_from(TimeOf time) { time_of_ = std::move(time); }
 
     [[nodiscard]] bool has_output() const { return next_time_ < times_.size(); }
@@ -64,9 +64,9 @@ public:
 
     /// Memory of the search for one event between two steps.
     struct Memory {
-        int sign = 0;                 ///< of the function behind the last step
-        Scalar value = 0, slope = 0;  ///< of it there
-        std::optional<Scalar> last = {}, before_last = {};  ///< times of those that counted
+        int sign = 0;                 ///< sign of the function behind the last step
+        Scalar value = 0, slope = 0;  ///< of the function there
+        std::optional<Scalar> last = {}, before_last = {};  ///< times of events that counted
     };
 
     [[nodiscard]] std::vector<Memory> memory() const {
@@ -77,7 +77,7 @@ public:
         return all;
     }
 
-    /// Goes on between two steps, where output at times up to t has been given.
+    /// Resumes the search between two steps, where output at times up to t has been given.
     void resume(Scalar t, Scalar h, const std::vector<Memory>& memory) {
         h_ = h;
         while (has_output() && !is_before(t, next_output())) { ++next_time_; }
@@ -119,7 +119,7 @@ public:
         }
     }
 
-    /// Counts events that are just where the run ends.
+    /// Counts events that are just at the end of the run.
     void finish(State& x, Scalar h, EventRun<Scalar>& result) {
         h_ = h;
         for (std::size_t i = 0; i < events_.size(); ++i) {
@@ -141,18 +141,18 @@ private:
 
     /// Progress of the search for one event within a stretch.
     struct Cursor {
-        Scalar from = 0;                   ///< where it goes on
-        int sign = 0;                      ///< of the function behind that; 0 where it is not known
-        Scalar at_from = 0, slope = 0;     ///< its value there, and its slope where it is given
-        Scalar at_end = 0, end_slope = 0;  ///< as much at the end of the stretch
-        std::optional<Scalar> last = {}, before_last = {};  ///< times of those that counted
+        Scalar from = 0;  ///< where the search goes on
+        int sign = 0;     ///< sign of the function behind that; 0 where it is not known
+        Scalar at_from = 0, slope = 0;     ///< value there, and slope where it is given
+        Scalar at_end = 0, end_slope = 0;  ///< value and slope at the end of the stretch
+        std::optional<Scalar> last = {}, before_last = {};  ///< times of events that counted
     };
 
     /// The next change of a sign.
     struct Crossing {
         Scalar part;
-        int sign;           ///< behind it
-        bool counts;        ///< as an event
+        int sign;           ///< sign behind it
+        bool counts;        ///< whether it counts as an event
         Scalar before = 0;  ///< a part just before a kink
     };
 
@@ -175,8 +175,8 @@ private:
         return events_[i].slope ? events_[i].slope(x, t) : Scalar(0);
     }
 
-    /// The sign of the function a little behind a state, where it may be zero but for rounding:
-    /// 1e-8 of a step moves it by more.
+    /// Returns the sign of the function a little behind a state where it may be zero but for
+    /// rounding: 1e-8 of a step changes it by more.
     [[nodiscard]] int sign_after(std::size_t i, const State& x, Scalar t) {
         const Scalar h = h_ * Scalar(0x1p-26);
         if (events_[i].slope) {
@@ -202,8 +202,8 @@ private:
         return events_[i].act ? events_[i].act(x, t) : After::go_on;
     }
 
-    /// The value at an event with the sign that the function has behind it. NOTE: it is zero but
-    /// for rounding, and the next change of sign is not here.
+    /// Returns the value at an event, with the sign that the function has behind it. NOTE: the
+    /// function is zero but for rounding there, and the next change of sign is not there.
     [[nodiscard]] static Scalar behind(int sign, Scalar value) {
         if (sign_of(value) == sign) { return value; }
         return static_cast<Scalar>(sign) * std::numeric_limits<Scalar>::min();
@@ -215,7 +215,7 @@ private:
         return time_of_ ? time_of_(x) : stretch_.time_at(part);
     }
 
-    /// A value of f(x, t) at a part of the stretch; not a number where a short step fails.
+    /// Returns f(x, t) at a part of the stretch; NaN where a short step fails.
     template <class Function>
     [[nodiscard]] Scalar value_at(Scalar part, Function f) {
         const Status status = stretch_.at(part, within_);
@@ -226,7 +226,7 @@ private:
         return f(within_, time_at(part, within_));
     }
 
-    /// A part of the stretch in which the time changes by some units in its last place.
+    /// Returns the part of the stretch in which the time changes by some units in its last place.
     [[nodiscard]] Scalar tolerance() const {
         const Scalar t = std::max(std::abs(stretch_.t), std::abs(stretch_.t_end));
         const Scalar length = std::abs(stretch_.t_end - stretch_.t);
@@ -253,8 +253,8 @@ private:
         }
     }
 
-    /// The place where a function that turns towards zero and back has passed it; none where it has
-    /// not.
+    /// Returns the place where a function that turns towards zero and back has passed it; empty
+    /// where it has not.
     [[nodiscard]] std::optional<Bracket<Scalar>> beyond(std::size_t i) {
         const Cursor& cursor = cursors_[i];
         const Scalar forward = static_cast<Scalar>(h_ < 0 ? -cursor.sign : cursor.sign);
@@ -273,7 +273,7 @@ private:
         return Bracket<Scalar>{cursor.from, turn.a, cursor.at_from, passed};
     }
 
-    /// Both ends of a part of the stretch in which the sign changes.
+    /// Returns both ends of a part of the stretch in which the sign changes.
     [[nodiscard]] std::optional<Bracket<Scalar>> bracket(std::size_t i) {
         const Cursor& cursor = cursors_[i];
         if (sign_of(cursor.at_end) == -cursor.sign) {
@@ -282,7 +282,7 @@ private:
         return beyond(i);
     }
 
-    /// The next change of sign of a function; none where there is none.
+    /// Returns the next change of sign of a function; empty where there is none.
     [[nodiscard]] std::optional<Crossing> crossing(std::size_t i) {
         const Cursor& cursor = cursors_[i];
         if (cursor.sign == 0) { return {}; }
@@ -310,13 +310,14 @@ private:
         return counted(i, a_is_before ? root.b : root.a);
     }
 
-    /// Whether a kink is where a step ends, up to rounding, so that the next one would begin at it.
+    /// Returns whether a step ends at a kink, up to rounding, so that the next one would begin
+    /// there.
     [[nodiscard]] static bool is_all_but_zero(Scalar at_end, Scalar at_from) {
         constexpr Scalar little = 256 * std::numeric_limits<Scalar>::epsilon();
         return std::abs(at_end) <= little * std::abs(at_from);
     }
 
-    /// A kink between two parts, at which the function has its signs in full.
+    /// Returns a kink between two parts at which the function has its signs in full.
     [[nodiscard]] Crossing kink(std::size_t i, Scalar before, Scalar behind) {
         const int sign = cursors_[i].sign;
         constexpr Scalar little_more = Scalar(1) / 1'000'000'000;
@@ -324,7 +325,7 @@ private:
         return {with_sign(i, -sign, behind, 1 + little_more), -sign, true, before};
     }
 
-    /// A part near this one, on the way to `end`, at which the function is not zero.
+    /// Returns a part near this one, on the way to `end`, at which the function is not zero.
     [[nodiscard]] Scalar with_sign(std::size_t i, int sign, Scalar part, Scalar end) {
         const auto value_here = [&](const State& x, Scalar t) { return value(i, x, t); };
         for (Scalar by = tolerance(); sign_of(value_at(part, value_here)) != sign; by *= 2) {
@@ -339,7 +340,7 @@ private:
         return {part, -cursors_[i].sign, has_cooled(i, t)};
     }
 
-    /// The first of all, and the event that it is of.
+    /// Returns the first of all changes of sign, with the number of its event.
     [[nodiscard]] std::optional<std::pair<std::size_t, Crossing>> first() const {
         std::optional<std::pair<std::size_t, Crossing>> result;
         for (std::size_t i = 0; i < events_.size(); ++i) {
@@ -372,20 +373,20 @@ private:
         end_here(first() ? first()->first : 0, x, result);
     }
 
-    /// Ends a run in which an event comes again and again, where the stretch begins.
+    /// Ends a run where the stretch begins, as an event comes again and again.
     void end_here(std::size_t i, State& x, EventRun<Scalar>& result) const {
         x = stretch_.from;
         result.t = stretch_.t;
         end(Ending::accumulation, i, result);
     }
 
-    /// Whether an event that jumps comes so soon again that a ball, say, has come to rest.
+    /// Returns whether an event that jumps comes again so soon that a ball, say, has come to rest.
     [[nodiscard]] bool accumulates(std::size_t i, Scalar t) const {
         const std::optional<Scalar>& before = cursors_[i].before_last;
         return before && std::abs(t - *before) < std::abs(h_) * Scalar(0x1p-20);
     }
 
-    /// Whether short steps went well, and functions are numbers.
+    /// Returns whether short steps went well, and functions are numbers.
     [[nodiscard]] bool is_sound(EventRun<Scalar>& result) const {
         if (!failure_.ok()) {
             result.run.status = failure_;
@@ -411,7 +412,7 @@ private:
         }
     }
 
-    /// Passes a change of sign.
+    /// Handles a change of sign.
     void meet(std::size_t i, const Crossing& met, State& x, EventRun<Scalar>& result) {
         Cursor& cursor = cursors_[i];
         if (events_[i].is_kink) { return pass_kink(i, met); }
@@ -441,8 +442,9 @@ private:
         found_[i] = crossing(i);
     }
 
-    /// Goes on behind a kink. NOTE: the state is that just before it, but for what the kink depends
-    /// on: the end of a step is computed with H before the kink, and the next one with H behind it.
+    /// Goes on behind a kink. NOTE: the state is the one just before the kink, except for values
+    /// that the kink depends on: a step ends with H before the kink, and the next one begins with H
+    /// behind it.
     void pass_kink(std::size_t i, const Crossing& met) {
         State behind{};
         failure_ = stretch_.at(met.part, behind);
@@ -460,8 +462,8 @@ private:
     }
 
     /// Goes on from another state, in a stretch from there to the end of the step. NOTE: a function
-    /// that the jump does not change keeps the sign that it had, so that a second event of the same
-    /// time is not lost.
+    /// that the jump does not change keeps its sign, so that a second event of the same time is not
+    /// lost.
     void jump(std::size_t jumped, Scalar part, Scalar t) {
         const State& after = within_;
         for (std::size_t i = 0; i < events_.size(); ++i) {
@@ -476,7 +478,7 @@ private:
                 cursors_[i].sign = sign_of(cursors_[i].at_from);
             }
         }
-        // NOTE: what is left may be no more than rounding.
+        // NOTE: the rest of the step may be no more than rounding.
         stretch_.span *= 1 - part > 4 * tolerance() ? 1 - part : 0;
         stretch_.from = after;
         stretch_.t = t;
@@ -492,7 +494,7 @@ private:
 
     void give(const State& x) { output_(x, times_[next_time_++]); }
 
-    /// Gives the states at times up to a part of the stretch.
+    /// Gives the states at output times up to a part of the stretch.
     void give_until(Scalar part) {
         if (!has_output()) { return; }
         const Scalar t = value_at(part, [](const State&, Scalar time) { return time; });
@@ -502,7 +504,7 @@ private:
         }
     }
 
-    /// The part of the stretch at which it is so late.
+    /// Returns the part of the stretch at a given time.
     [[nodiscard]] Scalar part_of(Scalar time) {
         const Scalar length = stretch_.t_end - stretch_.t;
         if (time == stretch_.t_end) { return 1; }
@@ -518,7 +520,7 @@ private:
 
     std::vector<Event<Stepper>> events_;
     std::vector<Cursor> cursors_;
-    std::vector<std::optional<Crossing>> found_;  ///< next of each event
+    std::vector<std::optional<Crossing>> found_;  ///< next change of sign of each event
     std::vector<Scalar> times_;
     std::size_t next_time_ = 0;
     Output output_;

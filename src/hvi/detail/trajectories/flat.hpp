@@ -16,7 +16,8 @@ struct HasFlat<Stepper,
                std::void_t<decltype(Stepper::flat(std::declval<const typename Stepper::State&>()))>>
     : std::true_type {};
 
-/// The state with all of its numbers in q and p, of a stepper with rotations those too, or itself.
+/// Returns a state with all of its numbers in q and p, those of rotations included; without
+/// rotations the state itself.
 template <class Stepper>
 [[nodiscard]] decltype(auto) flat(const typename Stepper::State& x) {
     if constexpr (HasFlat<Stepper>::value) {
@@ -26,7 +27,7 @@ template <class Stepper>
     }
 }
 
-/// Writes them one after the other; returns their end.
+/// Writes the numbers one after the other. Returns their end.
 template <class Stepper>
 double* write_numbers(const typename Stepper::State& x, double* out) {
     const auto& at = flat<Stepper>(x);
@@ -35,7 +36,7 @@ double* write_numbers(const typename Stepper::State& x, double* out) {
     return out;
 }
 
-/// Sets x to these, of which there are as many as it has; returns their end.
+/// Sets x to these numbers, as many as it has. Returns their end.
 template <class Stepper>
 const double* read_numbers(typename Stepper::State& x, const double* all) {
     const auto copy = [&](auto& at) {
@@ -52,7 +53,7 @@ const double* read_numbers(typename Stepper::State& x, const double* all) {
     return all;
 }
 
-/// All of them in one list.
+/// Returns all numbers in one list.
 template <class Stepper>
 [[nodiscard]] std::vector<double> numbers(const typename Stepper::State& x) {
     const auto& at = flat<Stepper>(x);

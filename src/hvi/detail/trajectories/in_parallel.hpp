@@ -13,7 +13,7 @@
 
 namespace hvi::detail {
 
-/// The first one of several threads.
+/// Keeps the first exception of several threads.
 class Failure {
 public:
     void keep(std::exception_ptr exception) {
@@ -30,7 +30,7 @@ private:
     std::exception_ptr first_;
 };
 
-/// Threads beside this one, that end before it goes on.
+/// Threads beside the present one, joined by the destructor.
 class Joined {
 public:
     template <class Work>
@@ -49,9 +49,9 @@ private:
     std::vector<std::thread> threads_;
 };
 
-/// Calls work(i) for 0 <= i < count, each once, on so many threads; 0: as many as there are
-/// processors. Each thread has a work of its own, by prepare(). What one throws comes out when all
-/// threads have ended, the first of them; then some have not been called.
+/// Calls work(i) for 0 <= i < count, each once, on `threads` threads; 0: as many as there are
+/// processors. prepare() makes a work for each thread. The first exception is rethrown when all
+/// threads have ended; then some calls have not been made.
 template <class Prepare>
 void in_parallel(std::size_t count, unsigned threads, Prepare prepare) {
     if (threads == 0) { threads = std::max(1U, std::thread::hardware_concurrency()); }

@@ -13,8 +13,8 @@
 
 namespace hvi::detail {
 
-/// `Stepper` advances groups of them, each of which takes all its steps at once, as long as it is
-/// in the nearest cache.
+/// Groups of eight trajectories. `Stepper` advances a group, and takes all its steps before those
+/// of the next one, while the group is in the nearest cache.
 template <class Stepper>
 class LaneGroups {
 public:
@@ -23,14 +23,14 @@ public:
 
     explicit LaneGroups(const std::vector<Trajectory>& starts)
         : groups_((starts.size() + width - 1) / width) {
-        // NOTE: where places are left over in the last group there are copies, in which nothing can
-        // happen that does not happen to the last trajectory.
+        // NOTE: places that are left over in the last group are copies of the last trajectory, so
+        // that nothing can happen in them that does not happen to it.
         for (std::size_t i = 0; i < groups_.size() * width; ++i) {
             groups_[i / width].x.set(i % width, starts[std::min(i, starts.size() - 1)]);
         }
     }
 
-    /// What a thread takes at a time.
+    /// Returns the number of pieces: a thread takes one at a time.
     [[nodiscard]] std::size_t pieces() const { return groups_.size(); }
 
     void advance(std::size_t piece, Stepper& stepper, Scalar h, std::int64_t steps) {
@@ -56,8 +56,8 @@ private:
         Steps steps{};
     };
 
-    /// NOTE: on a copy, which no other thread sees, so that compilers keep it in registers. And
-    /// what the stepper remembers of another group is forgotten first.
+    /// NOTE: on a copy, which no other thread sees, so that compilers keep it in registers. The
+    /// stepper first forgets its memory of another group.
     static void advance(Stepper& stepper, Group& group, Scalar h, std::int64_t steps) {
         typename Stepper::State x = group.x;
         stepper.reset();
@@ -70,7 +70,7 @@ private:
         group.x = x;
     }
 
-    /// The lanes that have not stopped, where the steps of each are counted.
+    /// Lanes that have not stopped, and the steps of each lane.
     struct Going {
         std::array<bool, width> lanes{};
         bool any = false;

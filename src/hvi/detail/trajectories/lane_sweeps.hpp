@@ -19,7 +19,7 @@ public:
     using Mask = typename Lane::Mask;
     using Changes = LaneRows<Number, trajectories_at_once, dimension>;
 
-    /// The lanes of each verdict; in what remains the iteration goes on.
+    /// Lanes of each verdict; in the others the iteration goes on.
     struct Verdicts {
         Mask unchanged, at_noise, not_finite;
     };
@@ -33,8 +33,8 @@ public:
         Lane(Number(0)).store(stalls_);
     }
 
-    /// Judges one sweep as RoundOff::judge() does; of lanes that are not `watched` it says
-    /// anything.
+    /// Judges one sweep as RoundOff::judge() does. The verdicts of lanes that are not `watched` are
+    /// arbitrary.
     template <bool by_q, bool by_p, class Coupled>
     [[nodiscard]] Verdicts judge(const Coupled& coupled, const Mask& watched) {
         const Lane zero(Number(0));
@@ -114,13 +114,14 @@ public:
 
     static constexpr int most_iterations = 200;
 
-    /// How it ended in the lanes that took part.
+    /// Outcome in the lanes that took part.
     struct Outcome {
         Mask converged, not_finite;
         Lane iterations;
     };
 
-    /// NOTE: forces are computed in one place alone; see Trajectories::end().
+    /// Iterates the lanes `going`. NOTE: forces are computed in one place alone; see
+    /// Trajectories::end().
     ///
     /// Precondition: the slopes of the lanes `going` hold starting values, those of p in any case.
     template <class Coupled>
@@ -130,7 +131,7 @@ public:
         if constexpr (!Coupled::separable && !is_joint) { coupled.positions(); }
         round_off_.begin();
         Mask moving = going;
-        Mask closing(false);  // at noise: they take the slopes of the last stages
+        Mask closing(false);  // lanes at noise, which take the slopes of the last stages
         sweep(coupled, moving);
         for (int iteration = 2; any(moving | closing); ++iteration) {
             if constexpr (is_joint) {
@@ -145,7 +146,8 @@ public:
             outcome.iterations =
                 select(moving, Lane(static_cast<Number>(iteration)), outcome.iterations);
             outcome.converged = outcome.converged | (moving & ended);
-            // NOTE: later than in the first sweeps it is the iteration that diverges.
+            // NOTE: a value that is not finite after the first sweeps comes from a diverging
+            // iteration.
             if (iteration == 2) { outcome.not_finite = moving & verdicts.not_finite; }
             closing = moving & verdicts.at_noise;
             moving = moving & !(ended | verdicts.not_finite);

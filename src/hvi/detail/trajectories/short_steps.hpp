@@ -1,4 +1,4 @@
-// States within a step of a run, by shorter steps from where it begins.
+// States within a step of a run, by shorter steps from its start.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -8,7 +8,7 @@
 
 namespace hvi::detail {
 
-/// Part of a run between two states, which one step connects.
+/// Stretch of a run between two states, which one step connects.
 template <class Stepper>
 class ShortSteps {
 public:
@@ -19,7 +19,7 @@ public:
     explicit ShortSteps(Stepper stepper) : stepper_(std::move(stepper)) {}
 
     State from, to;
-    Scalar t = 0, t_end = 0;  ///< times of these
+    Scalar t = 0, t_end = 0;  ///< times of `from` and `to`
     Scalar span = 0;          ///< the size of the step
 
     /// Writes the state at a part of the stretch, from 0 to 1. Unless the status is ok, `x` is of

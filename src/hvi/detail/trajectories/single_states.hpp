@@ -1,4 +1,4 @@
-// Trajectories of an ensemble, each for itself.
+// Trajectories of an ensemble, one by one.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -13,8 +13,8 @@
 
 namespace hvi::detail {
 
-/// `Stepper` advances one state. NOTE: it forgets what it remembers of the one before, so that
-/// nothing depends on which these are.
+/// Trajectories that `Stepper` advances one at a time. NOTE: the stepper first forgets its memory
+/// of the trajectory before, so that nothing depends on their order.
 template <class Stepper>
 class SingleStates {
 public:
@@ -24,7 +24,7 @@ public:
     explicit SingleStates(const std::vector<Trajectory>& starts)
         : states_(starts), runs_(starts.size()) {}
 
-    /// What a thread takes at a time.
+    /// Returns the number of pieces: a thread takes one at a time.
     [[nodiscard]] std::size_t pieces() const { return states_.size(); }
 
     void advance(std::size_t piece, Stepper& stepper, Scalar h, std::int64_t steps) {

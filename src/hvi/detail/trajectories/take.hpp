@@ -10,7 +10,7 @@
 
 namespace hvi::detail {
 
-/// Whether a stepper takes many steps faster than one after the other.
+/// Whether a stepper has advance(), which takes many steps faster than one after the other.
 template <class Stepper, class = void>
 struct Advances : std::false_type {};
 template <class Stepper>
@@ -18,7 +18,7 @@ struct Advances<Stepper, std::void_t<decltype(std::declval<Stepper&>().advance(
                              std::declval<typename Stepper::State&>(), 0.0, std::int64_t(1)))>>
     : std::true_type {};
 
-/// Takes so many steps, or as many as go well.
+/// Takes `steps` steps, or as many as go well.
 template <class Stepper>
 Run take(Stepper& stepper, typename Stepper::State& x, typename Stepper::Scalar h,
          std::int64_t steps) {

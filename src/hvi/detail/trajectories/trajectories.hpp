@@ -15,12 +15,12 @@
 
 namespace hvi {
 
-/// What became of a step of each of them.
+/// Statuses of a step, one for each trajectory.
 class [[nodiscard]] LaneStatus {
 public:
     [[nodiscard]] const Status& operator[](std::size_t lane) const { return lanes_[lane]; }
 
-    /// Whether all went well.
+    /// Returns whether all went well.
     [[nodiscard]] bool ok() const { return ok_; }
 
     void set(std::size_t lane, Status status) {
@@ -38,12 +38,12 @@ private:
 
 namespace detail {
 
-// ---- what steps leave for the next, beside (q, p) ----
+// ---- memory of steps for the next, beside (q, p) ----
 
 template <class Vector>
 using TrajectoryRows = LaneRows<ScalarOf<Vector>, trajectories_at_once, fixed_size<Vector>()>;
 
-/// Nothing.
+/// Empty memory.
 template <class Vector>
 struct NothingCarried {
     void begin_anew(std::size_t) {}
@@ -58,7 +58,7 @@ struct SlopeCarried {
     void begin_anew(std::size_t) { is_known = false; }
 };
 
-/// What rounding cut off from q and from p.
+/// Remainders of q and of p.
 template <class Vector>
 struct RemaindersCarried {
     TrajectoryRows<Vector> q{}, p{};
@@ -70,7 +70,7 @@ struct RemaindersCarried {
     }
 };
 
-/// Both.
+/// Remainders, and the last slope.
 template <class Vector>
 struct RemaindersAndSlopeCarried : RemaindersCarried<Vector>, SlopeCarried<Vector> {
     void begin_anew(std::size_t lane) {
@@ -79,7 +79,7 @@ struct RemaindersAndSlopeCarried : RemaindersCarried<Vector>, SlopeCarried<Vecto
     }
 };
 
-/// Where x is finite in all its components. NOTE: x - x is 0, or no number.
+/// Returns the lanes in which all components of x and y are finite. NOTE: x - x is 0, or NaN.
 template <class Lane, std::size_t dimension>
 [[nodiscard]] auto where_finite(const std::array<Lane, dimension>& x,
                                 const std::array<Lane, dimension>& y) {
@@ -94,9 +94,9 @@ template <class Lane, std::size_t dimension>
 
 }  // namespace detail
 
-/// Eight trajectories, q, p and the time if each `One` has one: a row of lanes for each component.
-/// One whose step failed has stopped: it keeps the state of before that step, and is not advanced
-/// any more.
+/// Eight trajectories, with q, p and, if each `One` has it, the time: a row of lanes for each
+/// component. A trajectory whose step failed has stopped: it keeps the state before that step, and
+/// is not advanced any more.
 template <class Vector, template <class> class Carried, class One = State<Vector>>
 class Trajectories {
 public:
@@ -110,7 +110,7 @@ public:
     detail::TrajectoryClock<One> clock;
     Carried<Vector> carried;
 
-    /// The same eight times.
+    /// Puts x into all eight lanes.
     explicit Trajectories(const One& x = {}) {
         for (std::size_t lane = 0; lane < trajectories_at_once; ++lane) { set(lane, x); }
     }
@@ -137,13 +137,13 @@ public:
 
     // ---- for steppers ----
 
-    /// What became of the last step.
+    /// Returns the statuses of the last step.
     [[nodiscard]] const LaneStatus& status() const { return status_; }
 
-    /// The lanes that have not stopped.
+    /// Returns the lanes that have not stopped.
     [[nodiscard]] Mask going() const { return Lane(Scalar(0)) < Lane(going_); }
 
-    /// Whether there is something to do in a step of size h. Where that is no number, all stop.
+    /// Returns whether a step of size h has something to do. Where h is not finite, all lanes stop.
     [[nodiscard]] bool begins(Scalar h) {
         if (h == 0) { return false; }
         if (!detail::is_finite(h)) { stop(Mask(true), Status::Code::not_finite); }
@@ -151,13 +151,13 @@ public:
         return status_.ok() || any(going());
     }
 
-    /// Ends a step: moves the lanes of `made` that have not stopped to (new_q, new_p), and their
-    /// time by the size of the step. The others stop. What they carry `carry(put)` moves likewise,
-    /// by calls of put(values, rows).
+    /// Ends a step. The lanes of `made` that have not stopped move to (new_q, new_p), and their
+    /// time by the size of the step. The others stop. `carry(put)` moves the memory likewise, by
+    /// calls of put(values, rows).
     ///
-    /// NOTE: what is chosen between was computed before, once, in all lanes: where it is computed
-    /// in two places, for all lanes and for some, a compiler may fuse products and sums in one of
-    /// them alone, and a trajectory would depend on its neighbours.
+    /// NOTE: both choices of a mask were computed before, once, in all lanes. Were they computed in
+    /// two places, for all lanes and for some, a compiler might fuse products and sums in one place
+    /// alone, and a trajectory would depend on its neighbours.
     template <class Carry>
     void end(const Values& new_q, const Values& new_p, const Mask& made, Carry carry) {
         const auto time = clock.end();
@@ -177,7 +177,7 @@ public:
         stop(!advanced, Status::Code::not_finite);
     }
 
-    /// The same, of steps that leave nothing for the next.
+    /// Ends a step that leaves no memory for the next.
     void end(const Values& new_q, const Values& new_p, const Mask& made) {
         end(new_q, new_p, made, [](auto) {});
     }
@@ -194,7 +194,7 @@ public:
         }
     }
 
-    /// Says of the lanes that have not stopped how often their stages were iterated.
+    /// Sets the numbers of iterations of the stages, in the lanes that have not stopped.
     void count(const Lane& iterations) {
         typename Lane::Row row;
         iterations.store(row);
@@ -203,7 +203,7 @@ public:
         }
     }
 
-    /// rows = values in these lanes.
+    /// Sets rows to values in these lanes.
     static void keep(const Mask& lanes, const Values& values, Rows& rows) {
         for (std::size_t k = 0; k < rows.size(); ++k) { keep(lanes, values[k], rows[k]); }
     }

@@ -12,14 +12,14 @@
 
 namespace hvi {
 
-/// How many trajectories go side by side, whatever the processor, so that what comes out depends
-/// on it in one way only: whether it fuses products and sums. They fill one register of AVX-512,
-/// two of AVX2, four of SSE2 or NEON.
+/// Number of trajectories that go side by side, on any processor, so that results depend on it in
+/// one way only: whether it fuses products and sums. They fill one register of AVX-512, two of
+/// AVX2, four of SSE2 or NEON.
 inline constexpr std::size_t trajectories_at_once = 8;
 
 namespace detail {
 
-/// There is none: H does not depend on it.
+/// Empty clock: H does not depend on time.
 template <class Trajectory>
 class TrajectoryClock {
 public:
@@ -43,7 +43,7 @@ public:
     [[nodiscard]] bool shows_time_of(const TrajectoryClock&) const { return true; }
 };
 
-/// Each has its own, summed up as Clock does it; what rounding cuts off goes with the state.
+/// Times of the lanes, summed up as Clock does; remainders are part of the state.
 template <class Vector>
 class TrajectoryClock<TimedState<Vector>> {
 public:
@@ -51,9 +51,9 @@ public:
     using Lane = Lanes<Scalar, trajectories_at_once>;
     using Mask = typename Lane::Mask;
 
-    /// Where a step leads.
+    /// End of a step.
     ///
-    /// NOTE: computed once, as all that masks choose between; see Trajectories::end().
+    /// NOTE: computed once, as all values that masks choose between; see Trajectories::end().
     struct End {
         Sum<Lane> time;
 
@@ -78,10 +78,10 @@ public:
     /// Begins a step of size h.
     void begin(Scalar h) { h_ = h; }
 
-    /// The time of the state.
+    /// Returns the time of the state.
     [[nodiscard]] Lane start() const { return t_; }
 
-    /// T_i = t + c_i h.
+    /// Returns T_i = t + c_i h.
     [[nodiscard]] Lane at(Scalar c) const { return start() + (Lane(remainder_) + Lane(c * h_)); }
 
     [[nodiscard]] End end() const { return {two_sum<Lane>(t_, Lane(remainder_) + Lane(h_))}; }

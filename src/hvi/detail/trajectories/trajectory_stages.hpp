@@ -15,11 +15,10 @@
 
 namespace hvi::detail {
 
-/// What both forms of stages have: where the step begins, and what is remembered of the last one.
+/// Common part of both forms of stages: the start of the step, and the memory of the last one.
 ///
-/// Slopes, as starting values for those of the next step, are bound to the state in which the step
-/// ended: begin() forgets them unless it is given these very bits. Remainders are carried by the
-/// state.
+/// Slopes, as starting values for the next step, belong to the state in which the step ended:
+/// begin() drops them unless it is given exactly these bits. Remainders are part of the state.
 template <class Vector, std::size_t stages, class One>
 struct TrajectoryMemory {
     using State = Trajectories<Vector, RemaindersCarried, One>;
@@ -31,15 +30,15 @@ struct TrajectoryMemory {
     using Slopes = std::array<Rows, stages>;
     static constexpr std::size_t dimension = fixed_size<Vector>();
 
-    Rows q{}, p{};  ///< where the step begins
+    Rows q{}, p{};  ///< start of the step
     Rows remainder_q{}, remainder_p{};
     TrajectoryClock<One> clock;
     Rows change_q{}, change_p{};      ///< of the stage values in one sweep, over stages
     std::array<Scalar, stages> hb{};  ///< h b_j
     Scalar h = 0;
-    bool extrapolates = false;  ///< the slopes are those of the step before this one, of equal h
+    bool extrapolates = false;  ///< whether slopes are of the step before, of equal h
 
-    /// Prepares a step of size h from x. Returns whether there is something to do.
+    /// Prepares a step of size h from x. Returns whether it has something to do.
     [[nodiscard]] bool begin(State& x, Scalar step_size, const Scalar (&b)[stages]) {
         if (!sums_.begin(x, step_size)) { return false; }
         extrapolates = ended_ && h == step_size && same_rows(ended_q_, x.q) &&
@@ -55,12 +54,12 @@ struct TrajectoryMemory {
         return true;
     }
 
-    /// Where a step ends, and what rounding cut off from that.
+    /// End of a step, and its remainders.
     struct Ending {
         Values q, p, remainder_q, remainder_p;
     };
 
-    /// Where the step began.
+    /// Returns the start of the step as an Ending.
     [[nodiscard]] Ending beginning() const {
         Ending at;
         for (std::size_t k = 0; k < dimension; ++k) {
@@ -72,7 +71,7 @@ struct TrajectoryMemory {
         return at;
     }
 
-    /// Ends the step of x there.
+    /// Ends the step of x at `at`.
     template <class Outcome>
     [[nodiscard]] const LaneStatus& end(State& x, const Outcome& outcome, const Ending& at) {
         x.count(outcome.iterations);
@@ -94,8 +93,8 @@ struct TrajectoryMemory {
     }
 
 protected:
-    /// start + sum_j matrix_ij x_j, in two sums, as a processor adds several times faster than it
-    /// waits for one sum.
+    /// Returns start + sum_j row_j x_j, in two sums, as a processor adds several times faster than
+    /// it waits for one sum.
     [[nodiscard]] static Lane sum(const Scalar (&row)[stages], const Slopes& x, std::size_t k,
                                   Lane start) {
         start = start + row[0] * Lane(x[0][k]);
@@ -122,7 +121,7 @@ protected:
         }
     }
 
-    /// slopes = values in these lanes.
+    /// Sets slopes to values in these lanes.
     static void keep(const Mask& lanes, bool are_all, const Values& values, Rows& slopes) {
         if (are_all) {
             store(values, slopes);
@@ -141,11 +140,11 @@ private:
 
     Rows ended_q_{}, ended_p_{};
     TrajectoryClock<One> ended_clock_;
-    bool ended_ = false;  ///< a step ended there
+    bool ended_ = false;  ///< whether a step ended there
     TrajectorySums<State> sums_;
 };
 
-/// The stages of positions alone; see VelocityStages.
+/// Stages of positions alone; see VelocityStages.
 template <class Vector, std::size_t stages, class One = hvi::State<Vector>>
 struct VelocityTrajectories : TrajectoryMemory<Vector, stages, One> {
     using Base = TrajectoryMemory<Vector, stages, One>;
@@ -161,7 +160,7 @@ struct VelocityTrajectories : TrajectoryMemory<Vector, stages, One> {
     Slopes drifted{};                  ///< e_q + c_i w
     Rows free_path{}, rest_of_path{};  ///< w is the sum of both; see VelocityStages
 
-    /// Sets w and `drifted`, the stages being at the times c.
+    /// Sets w and `drifted` for stages at the times c.
     template <class System>
     void drift_freely(const System& system, const Scalar (&c)[stages]) {
         if (this->h != weighed_) {
@@ -178,13 +177,13 @@ struct VelocityTrajectories : TrajectoryMemory<Vector, stages, One> {
         }
     }
 
-    /// Starting values: forces as at the start of the step.
+    /// Sets starting values: forces as at the start of the step.
     template <class System>
     void predict(const System& system) {
         predict(system, [&](Values& out) { system.dHdq(load(this->q), out); });
     }
 
-    /// The same, of what `dHdq(out)` puts out.
+    /// Sets starting values: forces by `dHdq(out)` at the start of the step.
     template <class System, class Gradient>
     void predict(const System& system, Gradient dHdq) {
         Values slope;
@@ -192,10 +191,10 @@ struct VelocityTrajectories : TrajectoryMemory<Vector, stages, One> {
         for (std::size_t i = 0; i < stages; ++i) { push(system, i, slope, Mask(true), true); }
     }
 
-    /// Starting values of those of the last step.
+    /// Sets starting values from those of the last step.
     void extrapolate(const Scalar (&N)[stages][stages]) { Base::extrapolate(W, N); }
 
-    /// Q_i = q + (e_q + c_i w + sum_j n_ij W_j).
+    /// Sets Q_i = q + (e_q + c_i w + sum_j n_ij W_j).
     void positions(const Scalar (&n)[stages][stages]) {
         for (std::size_t k = 0; k < dimension; ++k) {
             const Lane from(this->q[k]);
@@ -209,13 +208,13 @@ struct VelocityTrajectories : TrajectoryMemory<Vector, stages, One> {
         }
     }
 
-    /// Lp_i = -h b_i dH/dq, W_i = h K Lp_i, in these lanes.
+    /// Sets Lp_i = -h b_i dH/dq, W_i = h K Lp_i, in these lanes.
     template <class System>
     void forces(const System& system, const Mask& lanes) {
         forces(system, lanes, [&](std::size_t i, Values& out) { system.dHdq(load(Q[i]), out); });
     }
 
-    /// The same, of what `dHdq(i, out)` puts out.
+    /// Sets Lp_i and W_i in these lanes by `dHdq(i, out)`.
     template <class System, class Gradient>
     void forces(const System& system, const Mask& lanes, Gradient dHdq) {
         const bool are_all = all(lanes);
@@ -226,7 +225,7 @@ struct VelocityTrajectories : TrajectoryMemory<Vector, stages, One> {
         }
     }
 
-    /// q grows by w + sum_j (1 - c_j) W_j, and w by sum_j W_j.
+    /// Advances x: q by w + sum_j (1 - c_j) W_j, and w by sum_j W_j.
     template <class System, class Outcome>
     [[nodiscard]] const LaneStatus& advance(const System&, typename Base::State& x,
                                             const Outcome& outcome, const Scalar (&c)[stages]) {
@@ -240,7 +239,7 @@ struct VelocityTrajectories : TrajectoryMemory<Vector, stages, One> {
         return this->end(x, outcome, at);
     }
 
-    /// What the rounding of component k of Q is to be compared with; see VelocityLanes.
+    /// Returns the size that the rounding of component k of Q is compared with; see VelocityLanes.
     [[nodiscard]] Lane size_q(std::size_t k) const {
         Lane size = abs(Lane(this->q[k])) + abs(Lane(free_path[k]));
         for (std::size_t i = 0; i < stages; ++i) {
@@ -292,7 +291,7 @@ private:
         store(rest, rest_of_path);
     }
 
-    /// Change of component k of p by the forces of the step; see PathFactors.
+    /// Returns the change of component k of p by the forces of the step; see PathFactors.
     template <class System>
     [[nodiscard]] Pair<Lane> change_of_p(std::size_t k) const {
         if (factor(k) == 0) {
@@ -313,7 +312,7 @@ private:
     Scalar weighed_ = 0;  ///< the step size of the factors
 };
 
-/// The stages of positions and momenta; see Stages.
+/// Stages of positions and momenta; see Stages.
 template <class Vector, std::size_t stages, class One = hvi::State<Vector>>
 struct PairTrajectories : TrajectoryMemory<Vector, stages, One> {
     using Base = TrajectoryMemory<Vector, stages, One>;
@@ -327,7 +326,7 @@ struct PairTrajectories : TrajectoryMemory<Vector, stages, One> {
 
     Slopes Q{}, P{}, Lq{}, Lp{};
 
-    /// Starting values: slopes as at the start of the step.
+    /// Set starting values: slopes as at the start of the step.
     void predict_q(const Values& gradient) {
         for (std::size_t i = 0; i < stages; ++i) { set(Lq[i], this->hb[i], gradient); }
     }
@@ -335,21 +334,21 @@ struct PairTrajectories : TrajectoryMemory<Vector, stages, One> {
         for (std::size_t i = 0; i < stages; ++i) { set(Lp[i], -this->hb[i], gradient); }
     }
 
-    /// Starting values of those of the last step.
+    /// Set starting values from those of the last step.
     void extrapolate_q(const Scalar (&N)[stages][stages]) { Base::extrapolate(Lq, N); }
     void extrapolate_p(const Scalar (&N)[stages][stages]) { Base::extrapolate(Lp, N); }
 
-    /// Q_i = q + (e_q + sum_j m_ij Lq_j).
+    /// Sets Q_i = q + (e_q + sum_j m_ij Lq_j).
     void positions(const Scalar (&m)[stages][stages]) {
         stage_values(m, Lq, this->q, this->remainder_q, Q, this->change_q);
     }
 
-    /// P_j = p + (e_p + sum_i mt_ji Lp_i).
+    /// Sets P_j = p + (e_p + sum_i mt_ji Lp_i).
     void momenta(const Scalar (&mt)[stages][stages]) {
         stage_values(mt, Lp, this->p, this->remainder_p, P, this->change_p);
     }
 
-    /// Lq_j = h b_j dH/dp in these lanes, of what `dHdp(j, out)` puts out.
+    /// Sets Lq_j = h b_j dH/dp in these lanes, by `dHdp(j, out)`.
     template <class Gradient>
     void velocities(const Mask& lanes, Gradient dHdp) {
         const bool are_all = all(lanes);
@@ -358,7 +357,7 @@ struct PairTrajectories : TrajectoryMemory<Vector, stages, One> {
         }
     }
 
-    /// Lp_i = -h b_i dH/dq in these lanes, of what `dHdq(i, out)` puts out.
+    /// Sets Lp_i = -h b_i dH/dq in these lanes, by `dHdq(i, out)`.
     template <class Gradient>
     void forces(const Mask& lanes, Gradient dHdq) {
         const bool are_all = all(lanes);
@@ -367,7 +366,7 @@ struct PairTrajectories : TrajectoryMemory<Vector, stages, One> {
         }
     }
 
-    /// Both, of what `gradient(i, dHdq, dHdp)` puts out.
+    /// Sets both slopes in these lanes, by `gradient(i, dHdq, dHdp)`.
     template <class Gradient>
     void slopes(const Mask& lanes, Gradient gradient) {
         const bool are_all = all(lanes);
@@ -379,7 +378,7 @@ struct PairTrajectories : TrajectoryMemory<Vector, stages, One> {
         }
     }
 
-    /// q grows by sum_j Lq_j, p by sum_i Lp_i.
+    /// Advances x: q by sum_j Lq_j, p by sum_i Lp_i.
     template <class Outcome>
     [[nodiscard]] const LaneStatus& advance(typename Base::State& x, const Outcome& outcome) {
         typename Base::Ending at = this->beginning();
@@ -396,7 +395,7 @@ struct PairTrajectories : TrajectoryMemory<Vector, stages, One> {
         return this->end(x, outcome, at);
     }
 
-    /// What the rounding of component k of Q is to be compared with, and of P.
+    /// Return the size that the rounding of component k of Q, and of P, is compared with.
     [[nodiscard]] Lane size_q(std::size_t k) const { return size(this->q, Q, Lq, k); }
     [[nodiscard]] Lane size_p(std::size_t k) const { return size(this->p, P, Lp, k); }
 

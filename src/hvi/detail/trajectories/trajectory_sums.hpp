@@ -9,14 +9,15 @@
 
 namespace hvi::detail {
 
-/// One exact sum a step, as StepSums makes it; remainders are carried by the state.
+/// Sums of steps of trajectories: one exact sum a step, as in StepSums; remainders are part of the
+/// state.
 template <class State>
 class TrajectorySums {
 public:
     using Scalar = typename State::Scalar;
     using Values = typename State::Values;
 
-    /// Begins a step of size h from x. Returns whether there is something to do; where sums do not
+    /// Begins a step of size h from x. Returns whether it has something to do. Where sums do not
     /// round as they should, all lanes stop.
     [[nodiscard]] bool begin(State& x, Scalar h) {
         if (!are_exact_) { are_exact_ = sums_are_exact<Scalar>(); }
@@ -24,8 +25,8 @@ public:
         return x.begins(h);
     }
 
-    /// Ends the step: q and p grow by these changes, in which there are the remainders so far. What
-    /// x carries beside them `carry` moves, as in Trajectories::end().
+    /// Ends the step: adds these changes, which include the remainders so far, to q and p. `carry`
+    /// moves the memory of x, as in Trajectories::end().
     template <class Carry>
     static void end(State& x, Values& change_q, Values& change_p, Carry carry) {
         Values q, p;
@@ -34,7 +35,7 @@ public:
         end_at(x, q, p, change_q, change_p, carry);
     }
 
-    /// Ends the step at q and p, of which rounding cut off these remainders.
+    /// Ends the step at q and p with these remainders.
     template <class Carry>
     static void end_at(State& x, const Values& q, const Values& p, const Values& remainder_q,
                        const Values& remainder_p, Carry carry) {
@@ -45,7 +46,7 @@ public:
         });
     }
 
-    /// The same, of steps that leave nothing else.
+    /// Ends a step that leaves no memory beside the remainders.
     static void end(State& x, Values& change_q, Values& change_p) {
         end(x, change_q, change_p, [](auto) {});
     }
@@ -56,7 +57,7 @@ private:
     using Lane = typename State::Lane;
     using Mask = typename State::Mask;
 
-    /// The sum of both, exactly: of `change` there remains what rounding cuts off.
+    /// Sets `sum` to from + change, and `change` to the remainder of the sum.
     static void add(const typename State::Rows& from, Values& change, Values& sum) {
         for (std::size_t k = 0; k < from.size(); ++k) {
             const Sum<Lane> exact = two_sum<Lane>(from[k], change[k]);
@@ -65,7 +66,7 @@ private:
         }
     }
 
-    bool are_exact_ = false;  ///< known to be, since reset()
+    bool are_exact_ = false;  ///< whether sums are known to be exact, since reset()
 };
 
 }  // namespace hvi::detail
