@@ -39,16 +39,16 @@ struct Statement {
 /// order:
 ///
 /// - a momentum map p (C q + d) is kept, as the action is affine and the discrete curve
-/// interpolates in a vector space (Leok & Zhang, Theorem 5.3 and Lemma 5.4); for a tableau it
-/// follows from the coefficients;
+///   interpolates in a vector space (Leok & Zhang, Theorem 5.3 and Lemma 5.4); for a tableau it
+///   follows from the coefficients;
 /// - q^T C p and linear functions are kept by symplectic partitioned methods with b = b~, and every
-/// quadratic function by those with A = A~ (Hairer, Lubich & Wanner, Geometric Numerical
-/// Integration, Theorems IV.2.2 and IV.2.4);
+///   quadratic function by those with A = A~ (Hairer, Lubich & Wanner, Geometric Numerical
+///   Integration, Theorems IV.2.2 and IV.2.4);
 /// - with p^T S p and q^T R q as well, all of these methods keep it where S H_q = 0 and R H_p = 0:
-/// the sums over stages that change these terms have such factors;
+///   the sums over stages that change these terms have such factors;
 /// - a polynomial in kept quantities is kept;
 /// - with rotations, momentum maps alone are kept: natural charts commute with rotations of space
-/// and of the body (Lemma 5.5).
+///   and of the body (Lemma 5.5).
 [[nodiscard]] std::vector<Statement> statements(const SceneSymmetries& found,
                                                 const KeepingFacts& method);
 
