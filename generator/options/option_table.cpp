@@ -1,5 +1,5 @@
-// The tables. An option more begins here: a row, and where it is a wish of a stepper a member of
-// StepperWishes.
+// The tables of commands and options. A new option begins here with a row; a wish of a stepper also
+// needs a member of StepperWishes.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/options/option_table.hpp"
 
@@ -94,7 +94,7 @@ constexpr auto command_names = [] {
     return names;
 }();
 
-/// Of what only a system has: the class of a user has none of it.
+/// NOTE: needed by options for systems; the class of a user does not support them.
 constexpr Relation a_system{"SCENE|--hamiltonian"};
 
 constexpr std::array table = {
