@@ -47,7 +47,7 @@ bool grows(const Orbit& orbit, const Oscillation& expected, long steps) {
 /// The expected fate of an orbit.
 enum class FateOfOrbit {
     as_map,   ///< bounded or growing as the exact map is
-    either,   ///< as the map, or stopped where 200 iterations hardly contract
+    either,   ///< the map, or a stop where 200 iterations hardly contract
     refused,  ///< fixed points do not contract
 };
 
