@@ -60,8 +60,8 @@ double slope_of(const std::vector<double>& x, const std::vector<double>& y) {
 }
 
 struct Drift {
-    double slope = 0, error = 0;  ///< of |H| a step
-    double exponent = 0;          ///< with which the root mean square over the starts grows
+    double slope = 0, error = 0;  ///< relative to |H|, a step
+    double exponent = 0;  ///< exponent of the growth of the root mean square over the starts
 };
 
 Drift drift_of(const std::vector<Means>& all, double steps_of_window) {

@@ -92,7 +92,7 @@ double defect_of(const std::array<Number, 9>& R) {
     return static_cast<double>(most);
 }
 
-/// As hvi-gen writes it, in steps of size h.
+/// A stepper that hvi-gen writes, with steps of size h.
 template <class Stepper>
 class Ours : public Mover {
 public:
@@ -153,7 +153,7 @@ private:
     Work work_;
 };
 
-/// Of Odeint, in steps that a tolerance controls.
+/// A stepper of Odeint, with steps that a tolerance controls.
 template <class Stepper, bool is_heavy, bool normalises>
 class Controlled : public Mover {
 public:
@@ -195,7 +195,7 @@ struct Method {
     std::string name;
     bool has_tolerance;
     std::function<std::unique_ptr<Mover>(double)> make;
-    double fineness = 0;  ///< with which it reaches wanted_error
+    double fineness = 0;  ///< the fineness that reaches wanted_error
     std::vector<double> times{};
 };
 
@@ -375,8 +375,8 @@ void compare_conserved(const std::vector<Method>& methods, double periods) {
 
 // ---- the comparison ----
 
-/// Of ours in long double; a splitting by hand must come to the same, but for its rounding, which
-/// the heavy top magnifies.
+/// Computes the end with our stepper in long double. A splitting by hand must agree, up to its
+/// rounding errors, which the heavy top magnifies.
 template <class Fine>
 Body<double> reference_of(const Method& other) {
     Ours<Fine> fine(until / 1000);

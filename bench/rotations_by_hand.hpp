@@ -18,7 +18,7 @@ struct Body {
     std::array<Number, 3> L;
 };
 
-/// Those of the scenes free-rigid-body and heavy-top.
+/// Parameters of the scenes free-rigid-body and heavy-top.
 template <class Number>
 inline constexpr Number inertia[3] = {1, 2, 3};
 template <class Number>

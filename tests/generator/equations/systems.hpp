@@ -38,8 +38,8 @@ inline Point some_point(const Hamiltonian& H) {
     return point;
 }
 
-/// What the equations say of the variables at the end of the step: those of the stages are taken
-/// again and again until nothing changes.
+/// Returns the variables at the end of the step by the equations. The equations of the stages are
+/// evaluated repeatedly until nothing changes.
 inline std::map<std::string, Real> solved(const StageEquations& equations, Point point) {
     const Point start = point;
     for (const Equation& stage : equations.stages) point[stage.left] = {0.4L};

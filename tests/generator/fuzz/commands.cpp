@@ -108,7 +108,7 @@ void check_json(const std::string& text) {
     require(nlohmann::json::accept(text), "JSON that is none");
 }
 
-/// What one format can show, all of them can.
+/// Checks that all formats show a method, if one does.
 void check_formats(const auto& method, int digits) {
     require(!render_text(method, digits).empty(), "no text");
     try {

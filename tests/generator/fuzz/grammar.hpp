@@ -29,7 +29,7 @@ public:
 
 private:
     struct Part {
-        bool is_name;  ///< of a rule
+        bool is_name;  ///< the name of a rule
         std::string text;
     };
     using Alternative = std::vector<Part>;

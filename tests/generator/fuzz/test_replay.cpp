@@ -21,7 +21,7 @@ namespace {
 
 namespace fuzz = hvi::gen::fuzz;
 
-/// What takes longer ends the test, which then says where it was.
+/// Ends the test where an input takes too long; the test then says which.
 class Watch {
 public:
     Watch() {

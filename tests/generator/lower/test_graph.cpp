@@ -36,7 +36,7 @@ struct Lowered {
         return lower(graph, parsed(text), symbols, whole);
     }
 
-    /// With two functions of the user's own.
+    /// Parses a text that may call two functions of the user's own.
     [[nodiscard]] static Expression parsed(const std::string& text) {
         return parse_indexed_expression(source(text), {{"U", 1}, {"W", 2}}).written;
     }

@@ -15,7 +15,7 @@ inline Number ratio(long numerator, long denominator) {
     return Number(numerator) / Number(denominator);
 }
 
-/// With a~_ij = b_j - b_j a_ji / b_i.
+/// Makes a tableau with a~_ij = b_j - b_j a_ji / b_i.
 inline Tableau make(NumberVector c, NumberVector b, NumberMatrix A) {
     Tableau tableau;
     tableau.provenance = {"by-hand", "--method by-hand", {}};

@@ -177,7 +177,7 @@ TEST_CASE("of a quadratic kinetic energy both kinds of trees make one series") {
             });
 }
 
-// As many nodes with a weight as functions: (4.6) is Theorem 4.2 at these.
+// NOTE: there are as many nodes with a weight as functions, at which (4.6) is Theorem 4.2.
 TEST_CASE("nodes without a weight change nothing") {
     for (const char* H : {with_metric, relativistic, quartic}) {
         const DiscreteSeries linked = series(rule("1, tau | 1/3, 1, 0"), H, 5),

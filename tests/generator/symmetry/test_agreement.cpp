@@ -1,4 +1,4 @@
-// What is said of methods, against steps that are made: by all coefficients, in long double.
+// Statements on methods, against steps with all coefficients, in long double.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-// What shells propose, what man shows, and that both and --help know every option.
+// Proposals of shells and the man page; both and --help know every option.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <algorithm>
 

@@ -124,8 +124,8 @@ double sum_of(const Numbers& row, std::size_t begin, std::size_t end) {
 
 }  // namespace
 
-// What compilers make of constants is not always the same: g++ 12.2 for AVX-512 takes 1, 1, 0, 0
-// for 1, 1, 1, 1 where it copies an array that it sees.
+// NOTE: compilers may treat constants wrongly: g++ 12.2 for AVX-512 takes 1, 1, 0, 0 for 1, 1, 1, 1
+// where it copies an array that it sees.
 TEST_CASE("lists are what the scene says") {
     use_cache();
     const Directory directory;

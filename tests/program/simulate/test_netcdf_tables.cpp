@@ -248,7 +248,7 @@ TEST_CASE("tables as HDF5 that cannot be") {
     const RunsInHdf5 runs;
     const std::string words =
         "kepler --method stormer-verlet --interpret --until 1000 --format hdf5 ";
-    // As on a full disk, writing fails when the file has this size.
+    // Writing fails when the file has this size, as it does on a full disk.
     for (const std::string blocks : {"1", "8", "40", "100"}) {
         const Outcome full = runs.run(words + "-o out", "ulimit -f " + blocks + "; ");
         CAPTURE(blocks, full.err);

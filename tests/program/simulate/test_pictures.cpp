@@ -51,8 +51,8 @@ std::string picture_of(const std::string& scene, const std::vector<std::string>&
     return contents(directory / "out/picture.svg");
 }
 
-/// What gnuplot is given in place of a picture: its script, and the rows of the table of the
-/// picture.
+/// The input of gnuplot, which is kept in place of a picture: its script, and the rows of its
+/// table.
 struct Drawn {
     std::string script;
     std::vector<std::vector<double>> rows;
@@ -103,7 +103,7 @@ TEST_CASE("an image of a long chain has some of its places, and some of the step
         const double t = row < 334 ? 1.5 * static_cast<double>(row) : 500;
         REQUIRE(drawn.rows[row].size() == 335);
         CHECK(drawn.rows[row][0] == t);
-        // With this step the phase in a step is acos(1 - h^2/2).
+        // A step of this size advances the phase by acos(1 - h^2/2).
         const double swing = std::cos(t / 0.5 * std::acos(1 - 0.125));
         for (std::size_t k = 1; k < 335; ++k) {
             const double place = 3 * static_cast<double>(k);

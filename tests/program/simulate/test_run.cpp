@@ -141,7 +141,7 @@ TEST_CASE("columns of a run are those of the whole table, in the order wished fo
     CHECK(all[0].find("t,x[1],x[2],x[3],") == 0);
     CHECK(some[0] == "t,momentum_y,y[2],y[3],energy,px[6]");
     for (std::size_t k = 1; k < all.size(); ++k) {
-        // Of 18 coordinates, and as many momenta; of the energy, of six invariants, and of the
+        // There are columns for 18 coordinates and as many momenta, the energy, six invariants, and
         // three ways to turn the centre of mass.
         const auto whole = numbers_of(all[k]);
         REQUIRE(whole.size() == 1 + 36 + 7 + 3);
@@ -387,7 +387,7 @@ TEST_CASE("a program is compiled once") {
 TEST_CASE("a run that stops keeps what there is, and says so") {
     use_cache();
     const Directory directory;
-    // It is at infinity before t = 2.
+    // The body is at infinity before t = 2.
     write(directory / "escape.toml",
           "coordinates = [\"q\"]\nmomenta = [\"p\"]\n"
           "hamiltonian = \"p^2/2 - q^4/4\"\n"
@@ -439,7 +439,7 @@ TEST_CASE("a disk that is full, and a machine without gnuplot") {
     const Directory directory;
     const std::string run = "hvi-gen run henon-heiles -o out --until 500";
     REQUIRE(shell(run + " --only summary", directory.path()).status == 0);
-    // As on a full disk, writing fails when the file has this size.
+    // Writing fails when the file has this size, as it does on a full disk.
     const Outcome full = shell("ulimit -f 16; " + run, directory.path());
     CHECK(full.status == 3);
     CHECK(full.err.find("error: cannot write out/") == 0);

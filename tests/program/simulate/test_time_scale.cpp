@@ -185,7 +185,7 @@ TEST_CASE("events and jumps in scaled time") {
     INFO(kicked.outcome.err);
     REQUIRE(kicked.outcome.status == 0);
     REQUIRE(kicked.events.size() == 3);
-    // It falls for sqrt(2), then is up in the air for as long.
+    // The ball falls for sqrt(2), then is up in the air for as long.
     const std::vector<double> behind =
         numbers_of(kicked.events[2].substr(std::string("floor,2,").size()));
     CHECK(std::abs(behind[0] - 2 * std::sqrt(2.0)) < 1e-9);

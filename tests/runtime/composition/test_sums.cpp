@@ -126,7 +126,7 @@ void check_memory() {
     check_edit<Stepper>([](State& x) { x.p[0] = std::nextafter(x.p[0], 9.0); });
     check_edit<Stepper>([](State& x) { x.p[1] = std::nextafter(x.p[1], 9.0); });
 
-    // What there is to be forgotten shows in the bits.
+    // Remembered values show in the bits.
     Stepper stepper, forgetful, unasked;
     State x = in_well, y = in_well;
     REQUIRE(steps(stepper, x, 0.0625, 50));

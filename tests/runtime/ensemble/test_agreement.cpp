@@ -29,7 +29,7 @@ double distance(const State& x, const State& y) {
     return difference / (largest * 0x1p-52);
 }
 
-/// What one step of each does, from the same states.
+/// Compares one step of both kinds, from equal states.
 template <class Pair>
 void compare_steps(int most_iterations_apart) {
     const auto x = starts<typename Pair::Many>(64);

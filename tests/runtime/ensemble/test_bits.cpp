@@ -1,4 +1,4 @@
-// What becomes of a trajectory depends on itself alone.
+// The bits of a trajectory depend on itself alone.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <algorithm>
 #include <numeric>

@@ -264,7 +264,7 @@ TEST_CASE("one correction of what is stiff solves that, and leaves the rest to t
 
 namespace {
 
-/// The same matrix, constant; how often it is asked for.
+/// Positions whose matrix is constant; counts how often it is asked for.
 struct ConstantPositions : Positions {
     int& asked;
 

@@ -69,7 +69,7 @@ T ulp(T value) {
     return result;
 }
 
-/// What fifty digits leave open.
+/// The uncertainty that fifty digits leave.
 const Wide& slack() {
     static const Wide value("0." + std::string(47, '0') + "1");
     return value;

@@ -51,8 +51,8 @@ struct Table {
     std::function<double(std::size_t j, double tau)> integral;
 };
 
-/// Of the polynomials that are 1 at c_j and 0 at the other nodes, by Simpson's rule, which is exact
-/// for up to four nodes.
+/// Returns the integrals of the polynomials that are 1 at c_j and 0 at the other nodes, by
+/// Simpson's rule, which is exact for up to four nodes.
 auto of_polynomials(const std::vector<double>& c) {
     return [c](std::size_t j, double tau) {
         const auto phi = [&](double x) {
