@@ -46,7 +46,7 @@ struct Wishes {
 
 // ---- statistics ----
 
-/// By least squares.
+/// Returns the slope by least squares.
 double slope_of(const std::vector<double>& x, const std::vector<double>& y) {
     const auto count = static_cast<double>(x.size());
     double sx = 0, sy = 0, sxx = 0, sxy = 0;

@@ -71,10 +71,10 @@ public:
     Mover& operator=(const Mover&) = delete;
     virtual ~Mover() = default;
 
-    /// By `time`; unless exactly, one whose steps have sizes of their own goes on to their end.
+    /// Advances by `time`; unless `exactly`, a method with steps of its own goes on to their end.
     virtual void advance(double time, bool exactly) = 0;
     [[nodiscard]] virtual Body<double> body() const = 0;
-    /// How far what it has for a rotation is from one.
+    /// Returns the distance of its rotation from a true rotation.
     [[nodiscard]] virtual double defect() const = 0;
     [[nodiscard]] virtual Work work() const = 0;
 };
@@ -130,7 +130,7 @@ private:
     Work work_;
 };
 
-/// By hand, in steps of size h.
+/// A splitting written by hand, with steps of size h.
 template <bool is_heavy>
 class Split : public Mover {
 public:
@@ -239,7 +239,7 @@ double distance(const Body<double>& x, const Body<double>& y) {
     return std::sqrt(square);
 }
 
-/// Infinite for what came to no end.
+/// Returns the error; infinite where the run failed.
 double error_of(const Method& method, double fineness, const Body<double>& reference) {
     const auto mover = method.make(fineness);
     mover->advance(until, true);
@@ -247,8 +247,8 @@ double error_of(const Method& method, double fineness, const Body<double>& refer
     return std::isfinite(error) ? error : std::numeric_limits<double>::infinity();
 }
 
-/// The k-th: steps that are 9 % smaller each, a whole number of them, or tolerances of which there
-/// are eight to a power of ten.
+/// Returns the k-th fineness: steps that are 9 % smaller each, a whole number of them, or
+/// tolerances, eight to a power of ten.
 double fineness(const Method& method, int k) {
     if (method.has_tolerance) { return std::pow(10.0, -4 - k / 8.0); }
     return until / std::ceil(16 * std::pow(2, k / 8.0));

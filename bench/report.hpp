@@ -14,7 +14,7 @@
 
 namespace bench {
 
-/// The time of the benchmark `what` over that of `by`, and what it should be, in words.
+/// The time of the benchmark `what` over the time of `by`, with its wanted value in words.
 struct Ratio {
     std::string what, by;
     const char* wanted;

@@ -23,8 +23,8 @@ constexpr int windows = 16;
 /// at the start, over the size of that.
 using Means = std::array<long double, windows>;
 
-/// Weights of the steps of a window. They go to zero smoothly at both ends: what oscillates falls
-/// out of the mean faster than any power of the length, also where no period divides it.
+/// Weights of the steps of a window. They go to zero smoothly at both ends: oscillations vanish
+/// from the mean faster than any power of the length, also where no period divides it.
 using Weights = std::vector<double>;
 
 inline Weights smooth_weights(long steps) {

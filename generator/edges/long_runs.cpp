@@ -67,7 +67,7 @@ CurvesPicture picture(const std::string& title) {
     return {title, "steps n", "change of the mean energy", true, true, {}};
 }
 
-// ---- what it would be without ----
+// ---- results without compensation and without corrections ----
 
 constexpr const char* compared_scene = "kepler";
 

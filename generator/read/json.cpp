@@ -1,5 +1,5 @@
-// nlohmann/json decides what is JSON. Its events know no places, and its numbers are doubles; but
-// what it has accepted so far is easily found again in the text, which has both.
+// Reads JSON. nlohmann/json decides on its grammar. Its events have no places, and its numbers are
+// doubles; but the accepted words are easily found again in the text, which has both.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/read/json.hpp"
 
@@ -122,7 +122,8 @@ private:
             throw InputError(fmt::format("the file is nested deeper than {}", JsonFile::most_depth),
                              file_.place(range));
         }
-        // NOTE: what is open stays where it is: it only gets longer when all in it is closed.
+        // NOTE: open values keep their addresses: a list grows only after all values in it are
+        // closed.
         open_.push_back(&place(kind, {}, range));
         return true;
     }

@@ -44,8 +44,8 @@ public:
     static constexpr std::size_t most_depth = 32;
     static constexpr std::size_t most_values = 300'000;
 
-    /// Throws InputError with the line of the file for what is no JSON (RFC 8259) in UTF-8 without
-    /// a byte order mark, for two members of one name in an object, and beyond the limits.
+    /// Throws InputError with the line of the file for text that is no JSON (RFC 8259) in UTF-8
+    /// without a byte order mark, for two members of one name in an object, and beyond the limits.
     explicit JsonFile(Source file);
 
     [[nodiscard]] const JsonValue& root() const { return root_; }

@@ -23,7 +23,7 @@ Number power_of_two(int exponent) {
     return exponent < 0 ? Number(1) / power : power;
 }
 
-/// By parts of 40 bits, each of which is a double.
+/// Returns the exact number, as parts of 40 bits, each of which is a double.
 Number exactly(Dyadic value) {
     Number sum = 0;
     while (!value.is_zero()) {

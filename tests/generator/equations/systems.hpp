@@ -29,7 +29,7 @@ inline Hamiltonian hamiltonian(const std::string& text, const std::string& coord
                                  source(momenta));
 }
 
-/// Values for what is free: h, the parameters and the variables at the beginning of a step.
+/// Returns values for free symbols: h, the parameters and the variables at the beginning of a step.
 inline Point some_point(const Hamiltonian& H) {
     Point point{{"h", {0.05L}}};
     Real value = 0.3L;

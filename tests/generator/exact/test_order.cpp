@@ -14,7 +14,7 @@ OrderConditions general(const std::string& method, int max_order = 8) {
     return orders(tableau(method), max_order).general;
 }
 
-/// By the coefficients alone.
+/// Computes the order from the coefficients alone.
 OrderConditions by_coefficients(const std::string& method, int max_order = 8) {
     return orders(partitioned_method(tableau(method)), max_order).general;
 }

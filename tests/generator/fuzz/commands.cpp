@@ -94,7 +94,7 @@ Request read(const std::vector<std::string>& words) {
     return parse(CommandLine(static_cast<int>(arguments.size()), arguments.data()));
 }
 
-/// Carries out a command whose result goes to a file, and gives what is in it.
+/// Carries out a command whose result goes to a file, and returns its contents.
 template <class Options>
 std::string result(Options options) {
     options.output = path_of("OUTPUT");

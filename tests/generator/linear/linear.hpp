@@ -36,8 +36,8 @@ inline NumberMatrix matrix_of(const std::string& text, const Ground& ground) {
     return result;
 }
 
-/// Hamiltonians by S, g and the constant in one text: `w^2, 0; 0, 1 | 0, 0 | 0`. What is missing
-/// is zero.
+/// Returns a Hamiltonian with S, g and the constant in one text: `w^2, 0; 0, 1 | 0, 0 | 0`. Missing
+/// parts are zero.
 inline QuadraticForm form_of(const std::string& text, const Ground& ground) {
     const std::vector<std::string> parts = split(text, '|');
     QuadraticForm H;

@@ -59,7 +59,8 @@ Values at_random(const Names& names, unsigned seed) {
     return values;
 }
 
-/// By Richardson's extrapolation of central differences: an error of d^4 and of 1e-19/d.
+/// Returns the derivative by Richardson's extrapolation of central differences: an error of d^4 and
+/// of 1e-19/d.
 Real difference(const Expression& f, const Values& at, const std::string& name) {
     const auto central = [&](Real d) {
         Values left = at, right = at;

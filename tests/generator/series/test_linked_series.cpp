@@ -69,7 +69,7 @@ std::vector<RuleInNumbers> rules_in_numbers() {
             with_wave()};
 }
 
-/// The stationary value that (4.6) is about, less that of the series at the same q_0 and p_1.
+/// Returns the stationary value of (4.6), less the value of the series at equal q_0 and p_1.
 Real remainder(const RuleInNumbers& given, const Hamiltonian& H, const DiscreteSeries& series,
                Real h) {
     Point start_of_step = start(H);

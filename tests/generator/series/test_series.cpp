@@ -182,7 +182,7 @@ private:
         for (std::size_t d = 0; d < H_.degrees_of_freedom(); ++d) solve(right, d);
     }
 
-    /// By sweeps of Gauss and Seidel.
+    /// Solves by sweeps of Gauss and Seidel.
     void solve(const std::vector<std::vector<Real>>& right, std::size_t d) {
         for (int sweep = 0; sweep < 200; ++sweep)
             for (std::size_t k = 0; k < V_.size(); ++k) {

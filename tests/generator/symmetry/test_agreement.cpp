@@ -76,7 +76,7 @@ public:
         return evaluate(expression, at(x)).value;
     }
 
-    /// By iterations of the stages.
+    /// Takes a step by iterations of the stages.
     [[nodiscard]] Phase step(const Tested& method, const Phase& x, Real h) const {
         const std::size_t s = method.b.size(), n = x.q.size();
         std::vector<Vector> V(s, Vector(n)), G(s, Vector(n));

@@ -28,7 +28,8 @@ public:
         write(directory_ / "my words.toml", "");
     }
 
-    /// The replies, sorted, one in a line. NOTE: of bash, `breaks` are those of an interactive one.
+    /// Returns the replies, sorted, one in a line. NOTE: `breaks` are the default of an interactive
+    /// bash.
     std::string operator()(const std::string& line, const std::string& breaks = ":=") const {
         const Outcome outcome =
             shell("source completions; COMP_WORDBREAKS=" + breaks + "; COMP_LINE='" + line +

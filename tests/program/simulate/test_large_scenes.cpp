@@ -36,7 +36,7 @@ std::vector<Numbers> rows_of(const std::string& scene, const std::string& column
     return rows;
 }
 
-/// Pairs of springs, of which q[1], ..., q[40] begin as it is said.
+/// Pairs of springs; q[1], ..., q[40] begin at `start`.
 std::string springs(const std::string& parameters, const std::string& start) {
     return "coordinates = [\"q[1..N]\", \"r[1..N]\"]\nmomenta = [\"p[1..N]\", \"s[1..N]\"]\n"
            "hamiltonian = \"sum(i=1..N, p[i]^2/2 + s[i]^2/2 + (q[i] - r[i])^2/2)\"\n"

@@ -140,7 +140,7 @@ struct RunsInHdf5 {
     Directory directory;
 };
 
-/// Both tables of a run, which are the same numbers.
+/// Checks that both tables of a run have equal numbers.
 void agree_in_hdf5(const std::string& words, std::size_t rows, std::size_t bytes = 8) {
     CAPTURE(words);
     const RunsInHdf5 runs;

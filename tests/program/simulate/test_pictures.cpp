@@ -27,7 +27,7 @@ std::size_t count_of(const std::string& text, const std::string& part) {
     return count;
 }
 
-/// Names with these indices, q and p, each of which swings for itself and begins as it is said.
+/// Names q and p with these indices. Each oscillates by itself and begins at `start`.
 std::string swinging(const std::string& ranges, const std::string& indices, const std::string& sum,
                      const std::string& start) {
     const auto family = [&](const char* name) { return name + ("[" + ranges + "]"); };
@@ -38,7 +38,7 @@ std::string swinging(const std::string& ranges, const std::string& indices, cons
            "\" = 0\n[run]\nmethod = \"stormer-verlet\"\nstep = 0.5\nuntil = 500\n";
 }
 
-/// The picture of a run, of which nothing is left but its files.
+/// Returns the picture of a run whose other files are gone.
 std::string picture_of(const std::string& scene, const std::vector<std::string>& more = {}) {
     const Directory directory;
     std::vector<std::string> words{"run", scene, "-o", "out"};

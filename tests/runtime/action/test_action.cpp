@@ -50,7 +50,7 @@ struct OneStep {
     double H;
 };
 
-/// By which power of h something falls.
+/// Returns the power of h with which a value falls.
 double exponent(double at_h, double at_half_h) { return std::log2(std::abs(at_h / at_half_h)); }
 
 // ---- the exact discrete Hamiltonian ----
@@ -58,8 +58,8 @@ double exponent(double at_h, double at_half_h) { return std::log2(std::abs(at_h 
 /// q, p and the integral of p dq - H dt of one degree of freedom.
 using Flow = std::array<double, 3>;
 
-/// By the classical Runge-Kutta method in many small steps, which shares nothing with ours. The
-/// slopes are a function of the time and q and p.
+/// Solves by the classical Runge-Kutta method in many small steps, independently of our steppers.
+/// The slopes are a function of the time and q and p.
 template <class Slopes>
 Flow flow(Slopes slopes, double q, double p, double t, double h) {
     constexpr int steps = 200;
@@ -192,8 +192,8 @@ void check_promises(typename Stepper::State x, double h) {
     CHECK(stepper.action() == stepper.generating_function());
 }
 
-/// The force has a square root of t: forward from t = 0.01, back to before 0. The state, the bits
-/// of which stay, is the one at which the last good step has ended.
+/// NOTE: the force has a square root of t: forward from t = 0.01, back to before 0. The state keeps
+/// the bits of the end of the last good step.
 template <class Composed, class Stepper>
 void check_later_failure() {
     Stepper alone;

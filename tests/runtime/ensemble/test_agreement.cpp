@@ -13,8 +13,8 @@ namespace {
 
 constexpr double h = 1.0 / 64;
 
-/// The largest difference of components, in units of the rounding of the largest; infinite unless
-/// both are of the same time, bit for bit.
+/// Returns the largest difference of components, in units of the rounding of the largest; infinite
+/// unless both have equal times, bit for bit.
 template <class State>
 double distance(const State& x, const State& y) {
     double largest = 0, difference = 0;

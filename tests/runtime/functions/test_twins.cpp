@@ -44,7 +44,7 @@ hvi::Status step(Stepper& stepper, typename Stepper::State& x, double h) {
     return stepper.step(x, static_cast<typename Stepper::Scalar>(h));
 }
 
-/// The distance after so many steps from the same state.
+/// Returns the distance after `steps` steps from equal states.
 template <class A, class B>
 double apart(A a, B b, double h, int steps) {
     auto x = A::initial();

@@ -13,7 +13,7 @@ namespace {
 using contracting::CountedNewton;
 using contracting::Vector;
 
-/// Corrections change W by `corrected_rate` times what is left.
+/// Stages in which corrections multiply errors of W by `corrected_rate`.
 struct Stages : contracting::Stages {
     double corrected_rate = 0.1, start = 0;
     int corrections = 0, factors = 0;

@@ -293,7 +293,7 @@ struct Polynomial {
     static constexpr Code at_zero = Code::pole;
 };
 
-/// The same, where 0 is no pole: w/(w^2 - 3).
+/// A method whose coefficient has no pole at 0: w/(w^2 - 3).
 struct WithoutPoleAtZero : Polynomial {
     static constexpr Code at_zero = Code::ok;
 };

@@ -26,7 +26,7 @@ using scalars::Wide;
 
 namespace {
 
-/// A solver that solves nothing and keeps what the stepper would have solved with.
+/// A solver that solves nothing and keeps the coefficients that the stepper passes to it.
 template <class T>
 struct Spy {
     static constexpr int most_iterations = 1;

@@ -20,7 +20,7 @@ namespace {
 template <class T>
 using State = hvi::State<std::array<T, 1>>;
 
-/// The largest difference from the same steps in a format of more bits, in units of epsilon.
+/// Returns the largest difference from equal steps in a format of more bits, in units of epsilon.
 template <template <class, class> class Stepper, class T, class Longer>
 double lag(T h, int steps) {
     Stepper<scalars::Oscillator<T>, hvi::FixedPoint> stepper;

@@ -263,7 +263,8 @@ double energy_error(double h, int steps) {
     return largest;
 }
 
-/// By which power of h the error falls at t = 1, from a step of 1/steps to half of it.
+/// Returns the power of h with which the error falls at t = 1, from a step of 1/steps to half of
+/// it.
 template <class Stepper>
 double order(int steps) {
     const auto end = [](auto stepper, int count) {

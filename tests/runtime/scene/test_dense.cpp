@@ -223,7 +223,7 @@ void compare_with_the_general_form(const Rule& rule, double h) {
 
 // ---- the exact solution ----
 
-/// By the classical Runge-Kutta method in many small steps, which shares nothing with ours.
+/// Solves by the classical Runge-Kutta method in many small steps, independently of our steppers.
 template <class Stepper>
 typename Stepper::State flow(typename Stepper::State x, double time) {
     const typename Stepper::System system{typename Stepper::Parameters{}};

@@ -123,7 +123,7 @@ double difference(Iterated iterated) {
     return scenes::distance_of_states(x, y);
 }
 
-/// After x was edited, and after reset(), the next step is that of a fresh stepper.
+/// Checks that after an edit of x, and after reset(), the next step equals that of a fresh stepper.
 template <class Stepper>
 void check_forgetting(const Stepper& stepper, const typename Stepper::State& x) {
     for (const bool is_edited : {true, false}) {
