@@ -194,8 +194,8 @@ private:
         try {
             return value_at(expression, start, nullptr);
         } catch (const MathError& error) {
-            throw MathError(std::string(what) + " has no value where the scene begins: " +
-                                error.what(),
+            throw MathError(std::string(what) +
+                                " has no value where the scene begins: " + error.what(),
                             place_);
         }
     }
