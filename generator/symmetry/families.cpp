@@ -305,7 +305,7 @@ private:
     static void add(SceneSymmetries& result, AffineSymmetry symmetry) {
         ConservedQuantity& map = result.momentum_maps.emplace_back();
         map.kind = ConservedQuantity::Kind::momentum_map;
-        map.name = "momentum_map_" + std::to_string(result.momentum_maps.size());
+        map.name = "J" + std::to_string(result.momentum_maps.size());
         map.expression = symmetry.momentum_map;
         map.finding.conserved = Vanishing::proved;
         map.finding.bracket = Expression::integer(0);

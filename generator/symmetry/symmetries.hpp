@@ -18,7 +18,7 @@ struct ConservedQuantity {
     enum class Kind { momentum_map, invariant, field, energy };
 
     Kind kind = Kind::invariant;
-    std::string name;             ///< `momentum_map_1`, the scene's name for it, or `energy`
+    std::string name;             ///< `J1`, the scene's name for it, or `energy`
     Expression expression;        ///< in the scene's variables
     QuantityFinding finding;      ///< findings for it as a function of q and p
     Place place;                  ///< the place of an invariant, or of a field's name

@@ -53,7 +53,9 @@ bool has_name(const Scene& scene, const std::string& name) {
     return std::any_of(scene.invariants.begin(), scene.invariants.end(), is_it) ||
            std::any_of(scene.parameters.begin(), scene.parameters.end(), is_it) ||
            std::any_of(scene.definitions.begin(), scene.definitions.end(), is_it) ||
-           has_variable(scene.coordinates) || has_variable(scene.conjugates);
+           std::any_of(scene.own.functions.begin(), scene.own.functions.end(), is_it) ||
+           has_variable(scene.coordinates) || has_variable(scene.conjugates) ||
+           has_variable(scene.rotations) || has_variable(scene.angular_momenta);
 }
 
 /// Replaces symbols with an index by elements: x[3].
@@ -77,12 +79,12 @@ void add(Scene& scene, const ConservedQuantity& quantity) {
         {quantity.name, {with_elements(quantity.expression), source}, place, place});
 }
 
-/// Adds the momentum maps that no invariant tells, with names of their own.
+/// Adds the momentum maps that no invariant tells, under the names that `symmetries` shows.
 void add_momentum_maps(Scene& scene, SceneSymmetries& found) {
     std::size_t added = 0;
     for (ConservedQuantity& map : found.momentum_maps) {
         if (map.is_said || added == most_added) continue;
-        map.name = "momentum_map_" + std::to_string(++added);
+        ++added;
         while (has_name(scene, map.name)) map.name += "_";
         add(scene, map);
     }

@@ -91,7 +91,7 @@ void set_momentum_maps(SceneSymmetries& result) {
     for (const AffineSymmetry& symmetry : result.affine.basis) {
         ConservedQuantity& map = result.momentum_maps.emplace_back();
         map.kind = ConservedQuantity::Kind::momentum_map;
-        map.name = "momentum_map_" + std::to_string(result.momentum_maps.size());
+        map.name = "J" + std::to_string(result.momentum_maps.size());
         map.expression = symmetry.momentum_map;
         map.finding = of_momentum_map(symmetry);
     }
