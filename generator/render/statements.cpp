@@ -23,7 +23,7 @@ Json statement_json(const Statement& statement, const char* key, const std::stri
 std::string_view keeping_text(Keeping keeping) {
     switch (keeping) {
     case Keeping::kept: return "kept";
-    case Keeping::not_in_general: return "not kept in general";
+    case Keeping::not_in_general: return "not conserved exactly by this method";
     case Keeping::measured: return "measured, not claimed";
     case Keeping::not_conserved: return "its bracket with H is not zero as a function of q and p";
     case Keeping::unknown: break;

@@ -19,7 +19,7 @@ struct SceneStatements {
     std::vector<Statement> statements;
 };
 
-/// Returns `kept`, `not kept in general`, ... for summaries.
+/// Returns `kept`, `not conserved exactly by this method`, ... for summaries.
 [[nodiscard]] std::string_view keeping_text(Keeping keeping);
 
 }  // namespace hvi::gen

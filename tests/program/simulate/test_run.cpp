@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <cmath>
 #include <fstream>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -182,12 +183,56 @@ until  = 1
             if (line.rfind(name + " ", 0) == 0) return line.substr(line.find(';') + 2);
         return std::string();
     };
-    CHECK(said("momentum_map_1") == "kept");
-    CHECK(said("energy") == "not kept in general");
+    CHECK(said("J1") == "kept");
+    CHECK(said("energy") == "not conserved exactly by this method");
     const std::string wrong =
         "{wrong, H} = px^2-4*x^4-4*x^2*y^2 is not zero as a function of q and p";
     CHECK(said("wrong").rfind(wrong + "; on this run wrong changed by ", 0) == 0);
     CHECK(outcome.err.find("warning: the invariant `wrong`: " + wrong) != std::string::npos);
+}
+
+TEST_CASE("a run names momentum maps as symmetries does") {
+    use_cache();
+    const Directory directory;
+    // x = (1, 2, 3) and p = (2, 3, 5) have the angular momenta 3-4, 5-6 and 10-9 for these pairs.
+    write(directory / "space.toml", R"(coordinates = ["x", "y", "z"]
+momenta     = ["px", "py", "pz"]
+hamiltonian = "(px^2+py^2+pz^2)/2 + (x^2+y^2+z^2)^2"
+[invariants]
+spin = "x*py - y*px"
+[initial]
+x  = 1
+y  = 2
+z  = 3
+px = 2
+py = 3
+pz = 5
+[run]
+method = "gauss:2"
+step   = "1/10"
+until  = 1
+)");
+    const auto found = hvi_gen({"symmetries", "space.toml"}, directory.path());
+    const auto run = hvi_gen({"run", "space.toml", "--only", "summary"}, directory.path());
+    REQUIRE(run.status == 0);
+    const std::map<std::string, double> values{
+        {"x*py-y*px", -1}, {"x*pz-z*px", -1}, {"y*pz-z*py", 1}};
+    std::size_t maps = 0;
+    for (const std::string& line : lines_of(found.out)) {
+        if (line.rfind("  J", 0) != 0) continue;
+        const std::string name = line.substr(2, 2),
+                          map = line.substr(line.find_first_not_of(' ', 4));
+        CAPTURE(name, map);
+        ++maps;
+        std::string value;
+        for (const std::string& each : lines_of(run.out))
+            if (each.rfind(name + " ", 0) == 0) value = each.substr(each.find_first_not_of(' ', 2));
+        if (map == "x*py-y*px")
+            CHECK(value.empty());
+        else
+            CHECK(std::stod(value) == Approx(values.at(map)));
+    }
+    CHECK(maps == 3);
 }
 
 TEST_CASE("what is conserved on the energy of a run alone is said to be just that") {
