@@ -1,6 +1,6 @@
 // The commands of hvi-gen and their options in one table. The parser, --help, the completions of
-// shells and the man page follow it. It has exclusions, and tells which options a generated header
-// quotes.
+// shells and the man page follow it. It also has exclusions, and the options that headers
+// quote.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 

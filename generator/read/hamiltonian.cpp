@@ -287,7 +287,7 @@ void check_together(const Method& method, const std::vector<std::string>& variab
     for (const List* list : lists)
         if (const auto place = find_symbol(*list, variables))
             throw InputError(
-                fmt::format("a parameter of the method is called as a variable of {}", owner),
+                fmt::format("a parameter of the method has the name of a variable of {}", owner),
                 place, "take another name for one of them");
 }
 

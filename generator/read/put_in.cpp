@@ -70,7 +70,8 @@ private:
     }
 
     [[noreturn]] void refuse(const std::string& what, Range place) const {
-        throw InputError("with what its names stand for this " + what, Place{source_, place});
+        throw InputError("with its names replaced by their values this " + what,
+                         Place{source_, place});
     }
 
     const std::shared_ptr<const Source>& source_;

@@ -79,7 +79,7 @@ TEST_CASE("bash completes commands, options and values") {
     CHECK(bash.run("bash -n completions").err.empty());
     CHECK(bash.run("source completions; complete -p hvi-gen").out ==
           "complete -F _hvi_gen hvi-gen\n");
-    CHECK(bash("hvi-gen s") == "scheme\nstepper\nsymmetries\n");
+    CHECK(bash("hvi-gen s") == "scheme\nshow\nstepper\nsymmetries\n");
     CHECK(has(bash("hvi-gen "), "tableau\n"));
     CHECK(bash("hvi-gen --v") == "--version\n");
     CHECK(bash("hvi-gen tableau --d") == "--digits\n");
@@ -133,7 +133,7 @@ TEST_CASE("zsh and fish read their completions, where they are installed") {
     CHECK(
         has(contents(directory / "hvi-gen.fish"),
             "-n '__fish_seen_subcommand_from check stepper scheme symmetries' -l hamiltonian -x -d "
-            "'Or H(q, p, t), as in \"p^2/2 + w^2*q^2/2\"'\n"));
+            "'H(q, p, t) in place of SCENE: \"p^2/2 + w^2*q^2/2\"'\n"));
     CHECK(
         has(contents(directory / "hvi-gen.fish"), "-s o -l output -r -F -d 'Write to this file'"));
 }
