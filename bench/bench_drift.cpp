@@ -46,7 +46,7 @@ struct Wishes {
 
 // ---- statistics ----
 
-/// By least squares.
+/// Returns the slope by least squares.
 double slope_of(const std::vector<double>& x, const std::vector<double>& y) {
     const auto count = static_cast<double>(x.size());
     double sx = 0, sy = 0, sxx = 0, sxy = 0;
@@ -60,8 +60,8 @@ double slope_of(const std::vector<double>& x, const std::vector<double>& y) {
 }
 
 struct Drift {
-    double slope = 0, error = 0;  ///< of |H| a step
-    double exponent = 0;          ///< with which the root mean square over the starts grows
+    double slope = 0, error = 0;  ///< relative to |H|, a step
+    double exponent = 0;  ///< exponent of the growth of the root mean square over the starts
 };
 
 Drift drift_of(const std::vector<Means>& all, double steps_of_window) {

@@ -125,7 +125,7 @@ private:
     std::size_t n_;
 };
 
-/// The same in two loops.
+/// The chain in two loops.
 class TwoLoopsByHand {
 public:
     explicit TwoLoopsByHand(std::size_t n) : n_(n) {}

@@ -71,10 +71,10 @@ public:
     Mover& operator=(const Mover&) = delete;
     virtual ~Mover() = default;
 
-    /// By `time`; unless exactly, one whose steps have sizes of their own goes on to their end.
+    /// Advances by `time`; unless `exactly`, a method with steps of its own goes on to their end.
     virtual void advance(double time, bool exactly) = 0;
     [[nodiscard]] virtual Body<double> body() const = 0;
-    /// How far what it has for a rotation is from one.
+    /// Returns the distance of its rotation from a true rotation.
     [[nodiscard]] virtual double defect() const = 0;
     [[nodiscard]] virtual Work work() const = 0;
 };
@@ -92,7 +92,7 @@ double defect_of(const std::array<Number, 9>& R) {
     return static_cast<double>(most);
 }
 
-/// As hvi-gen writes it, in steps of size h.
+/// A stepper that hvi-gen writes, with steps of size h.
 template <class Stepper>
 class Ours : public Mover {
 public:
@@ -130,7 +130,7 @@ private:
     Work work_;
 };
 
-/// By hand, in steps of size h.
+/// A splitting written by hand, with steps of size h.
 template <bool is_heavy>
 class Split : public Mover {
 public:
@@ -153,7 +153,7 @@ private:
     Work work_;
 };
 
-/// Of Odeint, in steps that a tolerance controls.
+/// A stepper of Odeint, with steps that a tolerance controls.
 template <class Stepper, bool is_heavy, bool normalises>
 class Controlled : public Mover {
 public:
@@ -195,7 +195,7 @@ struct Method {
     std::string name;
     bool has_tolerance;
     std::function<std::unique_ptr<Mover>(double)> make;
-    double fineness = 0;  ///< with which it reaches wanted_error
+    double fineness = 0;  ///< the fineness that reaches wanted_error
     std::vector<double> times{};
 };
 
@@ -239,7 +239,7 @@ double distance(const Body<double>& x, const Body<double>& y) {
     return std::sqrt(square);
 }
 
-/// Infinite for what came to no end.
+/// Returns the error; infinite where the run failed.
 double error_of(const Method& method, double fineness, const Body<double>& reference) {
     const auto mover = method.make(fineness);
     mover->advance(until, true);
@@ -247,8 +247,8 @@ double error_of(const Method& method, double fineness, const Body<double>& refer
     return std::isfinite(error) ? error : std::numeric_limits<double>::infinity();
 }
 
-/// The k-th: steps that are 9 % smaller each, a whole number of them, or tolerances of which there
-/// are eight to a power of ten.
+/// Returns the k-th fineness: steps that are 9 % smaller each, a whole number of them, or
+/// tolerances, eight to a power of ten.
 double fineness(const Method& method, int k) {
     if (method.has_tolerance) { return std::pow(10.0, -4 - k / 8.0); }
     return until / std::ceil(16 * std::pow(2, k / 8.0));
@@ -375,8 +375,8 @@ void compare_conserved(const std::vector<Method>& methods, double periods) {
 
 // ---- the comparison ----
 
-/// Of ours in long double; a splitting by hand must come to the same, but for its rounding, which
-/// the heavy top magnifies.
+/// Computes the end with our stepper in long double. A splitting by hand must agree, up to its
+/// rounding errors, which the heavy top magnifies.
 template <class Fine>
 Body<double> reference_of(const Method& other) {
     Ours<Fine> fine(until / 1000);

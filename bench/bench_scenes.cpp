@@ -65,7 +65,7 @@ long advance(ByHand& given, double h) {
     return iterations;
 }
 
-/// The same in a loop like a user's, to whom the state is a variable of its own.
+/// Takes steps in a loop like a user's, whose state is a variable of its own.
 template <class Stepper>
 long advance(Generated<Stepper>& given, double h) {
     Stepper stepper = given.stepper;
@@ -115,7 +115,7 @@ bool agree(const std::string& name, Made made, ByHand by_hand, std::size_t dimen
     return false;
 }
 
-/// What is compared.
+/// The comparisons so far.
 struct Comparison {
     std::vector<bench::Ratio> ratios;
     bool all_agree = true;

@@ -1,4 +1,4 @@
-// What a tableau costs as the number of stages S grows.
+// Measures the cost of a tableau as the number of stages S grows.
 // SPDX-License-Identifier: GPL-2.0-or-later
 //
 // Nodes without a closed form (gauss:6 and up): M^-1 is S^2 polynomials in one node each, from

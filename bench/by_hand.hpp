@@ -29,7 +29,7 @@ private:
 };
 
 /// Two-stage Gauss for Kepler's problem, all in scalars: the partitioned fixed point of gauss:2 for
-/// general H, with the same starting values, the same stop at round-off and compensated sums.
+/// general H, with equal starting values, stop at round-off and compensated sums.
 class Gauss2ByHand {
 public:
     explicit Gauss2ByHand(const hvi::State<std::array<double, 2>>& x)

@@ -16,7 +16,7 @@
 
 namespace bench {
 
-/// Of S stages.
+/// A Nystroem method of S stages.
 template <std::size_t S>
 struct Nystroem;
 

@@ -27,7 +27,7 @@ struct Kepler {
     void dHdp(const Vector&, const Vector& p, Vector& out) const { out = p; }
 };
 
-/// The same for steppers that take H = T(p) + U(q).
+/// Kepler's problem for steppers that take H = T(p) + U(q).
 struct SeparableKepler {
     using Vector = std::array<double, 2>;
     void dHdq(const Vector& q, Vector& out) const { Kepler{}.dHdq(q, q, out); }

@@ -14,7 +14,7 @@
 
 namespace bench {
 
-/// The time of the benchmark `what` over that of `by`, and what it should be, in words.
+/// The time of the benchmark `what` over the time of `by`, with its wanted value in words.
 struct Ratio {
     std::string what, by;
     const char* wanted;
@@ -27,7 +27,7 @@ public:
         ConsoleReporter::ReportRuns(runs);
         for (const Run& run : runs) {
             if (run.aggregate_name == "median") {
-                // What runs on several threads was asked for in real time.
+                // NOTE: benchmarks with several threads are measured in real time.
                 medians_[run.run_name.function_name] = run.run_name.time_type.empty()
                                                            ? run.GetAdjustedCPUTime()
                                                            : run.GetAdjustedRealTime();

@@ -18,7 +18,7 @@ struct Body {
     std::array<Number, 3> L;
 };
 
-/// Those of the scenes free-rigid-body and heavy-top.
+/// Parameters of the scenes free-rigid-body and heavy-top.
 template <class Number>
 inline constexpr Number inertia[3] = {1, 2, 3};
 template <class Number>
@@ -83,9 +83,9 @@ inline Splitting kahan_li_8() {
     return of_symmetric_steps(sizes);
 }
 
-/// H = V(R) + L_1^2/2I_1 + L_2^2/2I_2 + L_3^2/2I_3, whose parts are solved exactly: a kick, and
-/// turns about the axes of the body (McLachlan 1993, Reich 1994). What follows on the same part is
-/// joined with it, across steps too.
+/// A splitting of H = V(R) + L_1^2/2I_1 + L_2^2/2I_2 + L_3^2/2I_3, whose parts are solved exactly:
+/// a kick, and turns about the axes of the body (McLachlan 1993, Reich 1994). Adjacent steps of one
+/// part are joined, across steps too.
 template <bool is_heavy>
 class SplitBody {
 public:
@@ -177,7 +177,7 @@ inline void normalise(Quaternion& x) {
     for (std::size_t i = 0; i < 4; ++i) { x[i] *= scale; }
 }
 
-/// The rotation of a quaternion is that of its unit quaternion.
+/// Returns the rotation of a quaternion, which need not be a unit quaternion.
 inline Body<double> in_matrices(Quaternion x) {
     normalise(x);
     const double w = x[0], a = x[1], b = x[2], c = x[3];

@@ -23,8 +23,8 @@ constexpr int windows = 16;
 /// at the start, over the size of that.
 using Means = std::array<long double, windows>;
 
-/// Weights of the steps of a window. They go to zero smoothly at both ends: what oscillates falls
-/// out of the mean faster than any power of the length, also where no period divides it.
+/// Weights of the steps of a window. They go to zero smoothly at both ends: oscillations vanish
+/// from the mean faster than any power of the length, also where no period divides it.
 using Weights = std::vector<double>;
 
 inline Weights smooth_weights(long steps) {
@@ -44,7 +44,7 @@ inline Weights smooth_weights(long steps) {
 struct Row {
     std::string form, scene, method, layout;
     double h;
-    double share;  ///< of the steps of the others: where steps are slow
+    double share;  ///< relative number of steps, lower where they are slow
     int at_once;
     std::function<std::vector<Means>(int, const Weights&)> run;
 };
@@ -159,7 +159,7 @@ std::vector<Means> means_of(double h, int start, const Weights& weights) {
     return all;
 }
 
-/// What a row says of a stepper.
+/// Words of a row about a stepper.
 struct Words {
     const char *form, *scene, *method, *layout;
 };

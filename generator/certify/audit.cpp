@@ -9,7 +9,7 @@
 namespace hvi::gen {
 namespace {
 
-/// Whether the same is said, on whatever evidence.
+/// Whether two records have equal properties, whatever their evidence.
 bool say_the_same(const Properties& left, const Properties& right) {
     const auto same_order = [](const OrderConditions& a, const OrderConditions& b) {
         return a.order == b.order && a.is_at_least == b.is_at_least;
@@ -23,7 +23,7 @@ bool say_the_same(const Properties& left, const Properties& right) {
            same_order(left.orders.nystrom, right.orders.nystrom);
 }
 
-/// Of the method that the coefficients are.
+/// Returns the certificate of the method that has the coefficients.
 Certificate certificate_of(const Rebuilt& rebuilt, int max_order) {
     return rebuilt.is_method() ? certify(*rebuilt.tableau, max_order)
                                : certify(rebuilt.right, {}, max_order);
@@ -47,7 +47,7 @@ void set_certificate(Audit& audit, const GivenTableau& given, int max_order) {
     }
 }
 
-/// Of what the certificate is of.
+/// Returns the symplectic defect of the certified coefficients.
 std::optional<SymplecticDefect> defect(const Audit& audit, const GivenTableau& given) {
     if (audit.is_known()) { return symplectic_defect(audit.rebuilt->right.method); }
     if (given.rounded == 0) { return symplectic_defect(given.written.method); }

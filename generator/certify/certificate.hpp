@@ -1,4 +1,4 @@
-// What a method can do, each property with its evidence.
+// The properties of a method, each with its evidence.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -17,7 +17,7 @@
 
 namespace hvi::gen {
 
-/// What the conditions on the coefficients decide.
+/// The properties that the conditions on the coefficients decide.
 struct Properties {
     Verdict symplectic;
     Verdict symmetric;       ///< self-adjoint
@@ -25,74 +25,73 @@ struct Properties {
     Verdict common_weights;  ///< b == b~
     Orders orders;
 
-    /// The condition of order 1, the sum of the weights.
+    /// Whether the condition of order 1 holds, the sum of the weights.
     [[nodiscard]] bool is_consistent() const { return orders.general.order >= 1; }
-    /// q^T C p with constant C: Hairer, Lubich & Wanner, Geometric Numerical Integration, Theorem
-    /// IV.2.4, whose condition is that of symplecticity.
+    /// Whether q^T C p with constant C is conserved: Hairer, Lubich & Wanner, Geometric Numerical
+    /// Integration, Theorem IV.2.4, whose condition is symplecticity.
     [[nodiscard]] bool conserves_qCp() const { return symplectic.holds; }
-    /// All quadratic invariants: Theorem IV.2.2.
+    /// Whether all quadratic invariants are conserved: Theorem IV.2.2.
     [[nodiscard]] bool conserves_quadratic() const { return symplectic.holds && runge_kutta.holds; }
     /// Whether no decision rests on an enclosure of zero.
     [[nodiscard]] bool is_proved() const;
 };
 
-/// What there is to say of every method.
+/// The findings about any method.
 struct Findings {
     std::string name;                     ///< `gauss:2`, or empty for one given by basis and nodes
-    std::string origin;                   ///< the METHOD as the command line has it
+    std::string origin;                   ///< METHOD on the command line
     std::vector<std::string> parameters;  ///< free symbols, sorted
     std::size_t stages = 0;
-    /// Of coefficients only some digits are known: what is said to hold does so for some of the
-    /// numbers that they can be, and is not proved; what fails, fails for all of them.
+    /// Whether only some digits of the coefficients are known. Then a property holds for some of
+    /// the possible numbers, and is not proved; one that fails, fails for all of them.
     bool within_digits = false;
     std::vector<std::size_t> negative_weights;  ///< 1-based; empty with a free parameter
-    std::vector<std::size_t> nodes_outside;     ///< of [0, 1]; the same
+    std::vector<std::size_t> nodes_outside;     ///< outside of [0, 1]; likewise
 
-    /// Empty where only some digits are known, and for coefficients so long that it takes_long().
+    /// Empty where only some digits are known, and for coefficients for which it takes_long().
     std::optional<OscillatorMap> oscillator;
-    std::optional<LinearStability> stability;  ///< the same; empty also with a free parameter
+    std::optional<LinearStability> stability;  ///< likewise, also with a free parameter
 
-    /// Of what stands here.
+    /// Whether these findings are proved.
     [[nodiscard]] bool is_proved() const;
 };
 
-/// Of a tableau.
+/// The certificate of a tableau.
 struct Certificate : Findings, Properties {
-    std::vector<std::string> known_as;         ///< the named methods that it is
-    std::vector<std::string> adjoint;          ///< those that its adjoint is
-    std::vector<ExceptionalValue> exceptions;  ///< of a parameter: where the order is higher
+    std::vector<std::string> known_as;         ///< named methods with this tableau
+    std::vector<std::string> adjoint;          ///< named methods with its adjoint
+    std::vector<ExceptionalValue> exceptions;  ///< values of a parameter with a higher order
 
-    /// The stage values that are solved for at once for H = T(p) + U(q), and for any H.
+    /// The stage values that are solved for together, for H = T(p) + U(q) and for any H.
     std::vector<std::vector<StageNode>> coupled_separable, coupled_general;
 
     [[nodiscard]] bool is_proved() const;
 };
 
-/// The largest z = h omega up to which linear stability is looked at.
+/// The largest z = h omega for which linear stability is computed.
 inline constexpr long stability_limit = 20;
 
-/// Everything by computation from the coefficients, whatever they are said to be; but for its names
-/// and those of the adjoint, which are those of methods with the same nodes. Preconditions as for
-/// orders().
+/// Computes everything from the coefficients, whatever their origin; only the names, also of the
+/// adjoint, are those of methods with these nodes. Preconditions as for orders().
 [[nodiscard]] Certificate certify(const Tableau& tableau, int max_order);
 
-/// The same for coefficients that came from elsewhere; name and origin are left empty.
+/// Certifies coefficients of another source; name and origin are left empty.
 [[nodiscard]] Certificate certify(const NodesAndMethod& given,
                                   const std::vector<std::string>& parameters, int max_order);
 
-/// The same within the digits that are given.
+/// Certifies coefficients within the given digits.
 [[nodiscard]] Certificate certify_within_digits(const GivenTableau& given, int max_order);
 
-/// The conditions alone.
+/// Decides the conditions alone.
 [[nodiscard]] Properties properties(const PartitionedMethod& method, int max_order);
 
-/// Weights below zero, nodes outside of [0, 1], stages that need no solver.
+/// Sets weights below zero, nodes outside of [0, 1], and stages that need no solver.
 void set_signs(Certificate& certificate, const NodesAndMethod& given);
 
-/// Those of c and b, the same for both variables.
+/// Sets the weights below zero and nodes outside of [0, 1] of c and b, which both variables share.
 void set_signs(Findings& findings, const NumberVector& c, const NumberVector& b);
 
-/// The map of the oscillator and where it is stable; nothing where the map is too long.
+/// Sets the map of the oscillator and its stable intervals; sets nothing where the map is too long.
 void set_oscillator(Findings& findings, const GalerkinRule& rule);
 
 }  // namespace hvi::gen

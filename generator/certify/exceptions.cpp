@@ -17,7 +17,7 @@ OrderConditions conditions(const GalerkinRule& rule, int max_order) {
     return nystrom_order(rule, max_order);
 }
 
-/// The order for a value of the parameter; empty where there is no method.
+/// Returns the order for a value of the parameter; empty where there is no method.
 std::optional<ExceptionalValue> exception_at(Method method, const std::string& name,
                                              const Number& value, int max_order) {
     const auto form = value.closed_form();

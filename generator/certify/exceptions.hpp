@@ -1,4 +1,4 @@
-// Where a method with a free parameter is better than for most values of it.
+// Exceptional values of a free parameter, at which a method has a higher order.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -9,18 +9,18 @@
 
 namespace hvi::gen {
 
-/// For this value of the parameter the order is higher than the generic one.
+/// A value of a parameter at which the order is higher than for most values.
 struct ExceptionalValue {
     std::string parameter;
     Number value;
     int order = 0;
-    bool is_at_least = false;  ///< nothing failed up to the largest order asked for
+    bool is_at_least = false;  ///< whether no condition failed up to the largest order asked for
 };
 
-/// The values at which all the conditions hold that fail for most: common zeros of the residuals,
-/// by the value. Looked for where one parameter is free and the residuals are rational functions of
-/// it over Q; of the zeros those are left out at which there is no method, and those without a
-/// closed form. `generic` are the conditions of the method as it is.
+/// Returns the values at which all the conditions hold that fail for most values: common zeros of
+/// the residuals, in their order. They are sought where one parameter is free and the residuals are
+/// rational functions of it over Q. Zeros at which there is no method, and those without a closed
+/// form, are left out. `generic` are the conditions for a free parameter.
 [[nodiscard]] std::vector<ExceptionalValue>
 exceptions(const Method& method, const OrderConditions& generic, int max_order);
 

@@ -9,7 +9,7 @@ namespace hvi::gen {
 
 namespace {
 
-/// A basis of polynomials at the same nodes makes the same tableau, whichever basis it is.
+/// Whether the nodes are the roots of P. NOTE: any basis of the polynomials makes one tableau.
 bool has_nodes(const MethodEntry& entry, const RationalPolynomial& P) {
     const auto name = std::make_shared<const Source>(Source{"", std::string(entry.name)});
     const Tableau tableau = derive(named_method(name));

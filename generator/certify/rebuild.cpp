@@ -16,25 +16,25 @@
 namespace hvi::gen {
 namespace {
 
-/// Entries may be wrong, or nodes be different, as long as they are at most a third.
+/// Whether wrong entries, or different nodes, are few: at most a third.
 bool are_few(std::size_t wrong, std::size_t all) { return 3 * wrong <= all; }
 
-/// Everything about the tableau in question.
+/// The question about a tableau.
 struct Question {
     const Coefficients& coefficients;
     const GivenTableau& given;
 };
 
-/// What a tableau may have been meant to be.
+/// A tableau that may have been meant.
 struct Candidate {
     std::optional<Tableau> tableau;
     NodesAndMethod right;
-    NodesAndMethod possible;  ///< right for all nodes that the given ones can be
+    NodesAndMethod possible;  ///< entries for all nodes that the given ones may be
 };
 
 // ---- entries ----
 
-/// An entry of the file beside what it should be.
+/// An entry of the file with its right value.
 struct Entry {
     std::string place;
     const Coefficient* text;
@@ -128,8 +128,8 @@ struct Pair {
     Matrix A, A_tilde;
 };
 
-/// The pairs that can be meant: the method itself first. NOTE: without A~ in the file, A stands for
-/// it, and only a method with A == A~ is such a pair.
+/// Returns the pairs that may be meant, the method itself first. NOTE: without A~ in the file, A
+/// stands for it, and only a method with A == A~ is such a pair.
 std::vector<Pair> pairs(const Question& question, const Candidate& candidate) {
     const Pair itself{Matrix::A, Matrix::A_tilde};
     const Pair twice{Matrix::A, Matrix::A};
@@ -141,8 +141,8 @@ std::vector<Pair> pairs(const Question& question, const Candidate& candidate) {
     return {twice, partner_twice};
 }
 
-/// The better one of what is found so far and of a candidate: the first of those with the fewest
-/// wrong entries.
+/// Keeps the better one of `best` and a candidate: the first of those with the fewest wrong
+/// entries.
 void keep_better(std::optional<Rebuilt>& best, const Question& question,
                  const Candidate& candidate) {
     for (const auto [A, A_tilde] : pairs(question, candidate)) {
@@ -161,8 +161,8 @@ Method method_of(const std::string& name) {
     return named_method(std::make_shared<const Source>(Source{"--method", name}));
 }
 
-/// Single methods first, for `stormer-verlet` says more than `lobatto:2`; but before all others the
-/// name that the file gives itself.
+/// Returns the methods with this number of stages. The name that the file gives itself comes first,
+/// then single methods, for `stormer-verlet` says more than `lobatto:2`.
 std::vector<Method> methods_of_size(std::size_t stages, const std::string& file_name) {
     std::vector<Method> result;
     for (const MethodEntry& entry : named_methods()) {
@@ -181,9 +181,9 @@ std::vector<Method> methods_of_size(std::size_t stages, const std::string& file_
     return result;
 }
 
-/// For each given node the number of the method's that it is; those that are none take what is
-/// left, if they are few. NOTE: by enclosures alone, so that the method's nodes, which mostly are
-/// others, leave no generators in the field of the tableau.
+/// Returns the number of the method's node for each given node. Nodes without a match take the
+/// remaining numbers, if they are few. NOTE: decides by enclosures alone. Most methods have other
+/// nodes, which then leave no generators in the field of the tableau.
 std::optional<std::vector<std::size_t>> permutation(const Method& method,
                                                     const GivenTableau& given) {
     const NumberVector nodes = on_new_ground(
@@ -222,7 +222,7 @@ NumberMatrix permuted(const NumberMatrix& rows, const std::vector<std::size_t>& 
     return result;
 }
 
-/// What `work` returns, or nothing where there is no such method.
+/// Returns the result of `work`, or nothing where there is no such method.
 template <class Work>
 auto if_possible(Work work) -> std::optional<decltype(work())> {
     try {
@@ -250,7 +250,7 @@ void look_at_names(std::optional<Rebuilt>& best, const Question& question, const
 
 // ---- the given nodes, and the given A ----
 
-/// Whether so much is known of the entries that it is worth a comparison.
+/// Whether enough digits of the entries are known for a comparison.
 bool are_known(const NodesAndMethod& possible, const NodesAndMethod& right,
                const GivenTableau& given) {
     const auto is_known = [&](const Number& number, const Number& value) {
@@ -301,7 +301,7 @@ void look_at_nodes(std::optional<Rebuilt>& best, const Question& question, const
         if (!enclosed) { return; }
         possible.method = *std::move(enclosed);
         if (!are_known(possible, right, given)) { return; }
-        // NOTE: a closed form would say more of the nodes than is known.
+        // NOTE: a closed form would have more digits than the nodes.
         PartitionedMethod& method = right.method;
         method = {without_closed_form(method.b), without_closed_form(method.b),
                   without_closed_form(method.A), without_closed_form(method.A_tilde)};
@@ -309,7 +309,7 @@ void look_at_nodes(std::optional<Rebuilt>& best, const Question& question, const
     keep_better(best, question, {std::move(tableau), right, possible});
 }
 
-/// As for the given A, with its partner for A~.
+/// Compares A~ with the symplectic partner of the given A.
 std::optional<Rebuilt> partner_of_A(const Question& question) {
     const auto& [coefficients, given] = question;
     NodesAndMethod right = given.written;

@@ -10,7 +10,7 @@
 namespace hvi::gen {
 namespace {
 
-/// Then n_ij and n_ji are not both different from zero.
+/// Whether, of n_ij and n_ji, one is always zero.
 bool is_explicit(const GalerkinRule& rule) {
     for (std::size_t i = 0; i < rule.nodes(); ++i) {
         for (std::size_t j = 0; j <= i; ++j) {

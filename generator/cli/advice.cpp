@@ -16,8 +16,8 @@ namespace hvi::gen {
 
 namespace {
 
-/// NOTE: a scene is read with a method, whose symbols its own must not be; this one has none.
-/// NOTE: errors are measured of equal steps.
+/// Refuses scenes whose steps are not equal, as errors are measured of equal steps. NOTE: a scene
+/// is read together with a method, whose symbols its own must not be; gauss:2 has no symbols.
 void refuse_events(const Scene& scene) {
     const char* const help = "`report` measures errors of their runs";
     refuse_scale(scene, "--accuracy");
@@ -39,7 +39,8 @@ Scene scene_of(const AccuracyQuestion& question) {
 
 std::string text(Solver solver) { return solver == Solver::fixed_point ? "fixed-point" : "auto"; }
 
-/// Why there is no run at the accuracy: there was no hope, or no help in smaller steps.
+/// Returns why there is no run at the accuracy: either no step count would reach it, or smaller
+/// steps would not be faster.
 std::string why_not(const WorkCurve& curve, double accuracy, double seconds) {
     if (!next_count(curve, accuracy)) return "does not get there";
     const double predicted = predicted_seconds(curve, accuracy);
@@ -57,7 +58,7 @@ std::string row(const WorkCurve& curve, Solver solver, double accuracy, double s
                        point.seconds > 0 ? duration(point.seconds) : "", remark);
 }
 
-/// By rising time.
+/// Lists the methods by rising time.
 std::string table(const Advice& advice, double accuracy) {
     std::string rows = fmt::format("  {:<29} {:<12} {:<10} {:>9} {:>8} {:>9}\n", "method", "solver",
                                    "h", "steps", "error", "time");
@@ -74,8 +75,8 @@ std::string table(const Advice& advice, double accuracy) {
     return rows;
 }
 
-/// What the model says that a sweep costs, beside what steps took: of one model both have one
-/// quotient.
+/// Lists the costs of sweeps by the model beside the measured times of steps. If the model is
+/// right, their quotient is constant.
 std::string model_table(const Advice& advice, double accuracy) {
     std::string rows =
         fmt::format("  {:<29} {:>16} {:>14} {:>10} {:>17}\n", "method", "iterations/step",
@@ -92,7 +93,7 @@ std::string model_table(const Advice& advice, double accuracy) {
     return "costs by the model, of sweeps, and as measured:\n" + rows;
 }
 
-/// Of a quotient: `200`, or `(2*pi)`.
+/// Writes a factor of a quotient: `200`, or `(2*pi)`.
 std::string factor(const Expression& expression) {
     const std::string text = to_text(expression);
     return text.find_first_of("+-*/") == std::string::npos ? text : "(" + text + ")";

@@ -1,4 +1,4 @@
-// `--accuracy`: the method and the step that take a scene to its end with an error of at most that.
+// `--accuracy`: finds the method and the step that reach the end of a scene within an error.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -11,31 +11,31 @@
 
 namespace hvi::gen {
 
-/// What `--accuracy` is asked of.
+/// The request of `--accuracy`.
 struct AccuracyQuestion {
-    std::vector<Given> parameters;  ///< of the scene: `mu=2`
+    std::vector<Given> parameters;  ///< parameters of the scene: `mu=2`
     SystemOptions system;           ///< a scene
-    Given until;                    ///< in place of the scene's
+    Given until;                    ///< the end, in place of the scene's
     double accuracy = 0;
-    double seconds = 60;     ///< for which runs are made
-    bool has_curve = false;  ///< of the steps, which compositions have not
-    bool explain = false;    ///< what the runs cost beside what the model of costs says
+    double seconds = 60;     ///< seconds that runs may take
+    bool has_curve = false;  ///< whether a curve of the steps is asked for, which compositions lack
+    bool explain = false;    ///< whether to compare measured costs with the model of costs
 };
 
-/// In place of options that are not given.
+/// Replacements for options that are not given.
 struct AdvisedOptions {
     std::string method;
     Solver solver = Solver::automatic;
     std::optional<Composition> composition;
     Steps steps{};
     std::string step;  ///< exactly, as `--step` takes it: `200/1123`
-    std::string note;  ///< what it is for, in a line
+    std::string note;  ///< its purpose, in a line
     std::string shortfall =
-        {};  ///< that the accuracy was not reached in that time; empty where it was
+        {};  ///< a message that the accuracy was not reached; empty where it was
 };
 
-/// Measures, and says on standard error what was measured and chosen. Throws what advice() does.
-/// Precondition: interruptions are held.
+/// Measures, and reports the measurements and the choice on standard error. Throws as advice()
+/// does. Precondition: interruptions are held.
 [[nodiscard]] AdvisedOptions advised(const AccuracyQuestion& question);
 
 }  // namespace hvi::gen

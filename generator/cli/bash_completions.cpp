@@ -10,7 +10,7 @@ namespace hvi::gen {
 
 namespace {
 
-/// What the functions of the template know of a value.
+/// Returns the facts about a value that the template's functions know.
 std::string facts(const OptionEntry& option) {
     std::string text;
     const std::string names = proposals(option);
@@ -21,7 +21,7 @@ std::string facts(const OptionEntry& option) {
     return text;
 }
 
-/// `'tableau --method' | 'check --method') candidates='midpoint ...' ;;`
+/// Returns `'tableau --method' | 'check --method') candidates='midpoint ...' ;;`.
 std::string arm(const OptionEntry& option) {
     std::string pattern;
     for (const CommandEntry& entry : built_commands()) {

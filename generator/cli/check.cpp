@@ -1,4 +1,4 @@
-// `hvi-gen check`: what a method can do, with proof.
+// `hvi-gen check`: proved properties of a method.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/cli/commands.hpp"
 #include "generator/cli/method.hpp"
@@ -49,7 +49,7 @@ SceneStatements statements_of(const CheckOptions& options, const Scene& scene,
     return of_scene;
 }
 
-/// `whole`: what is written, in which the findings are.
+/// Writes `whole`, the result that contains `findings`.
 void write(const CheckOptions& options, const std::optional<Scene>& scene, const auto& findings,
            const auto& whole) {
     const Progress::Stage stage("writing the certificate");

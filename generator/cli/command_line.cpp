@@ -1,4 +1,4 @@
-// Joining words to a line, and finding them again.
+// Joins words to a command line, and finds them again.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/cli/command_line.hpp"
 
@@ -10,7 +10,7 @@ namespace {
 
 std::string_view name_of(std::string_view word) { return word.substr(0, word.find('=')); }
 
-/// A word as one would type it, so that blanks do not seem to end it.
+/// Quotes a word as one would type it, so that blanks do not seem to end it.
 std::string quoted(const std::string& word) {
     const bool plain =
         !word.empty() && word.find_first_of(" \t\n\"'$*()[]{};&|<>\\") == std::string::npos;

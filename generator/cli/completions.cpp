@@ -1,4 +1,4 @@
-// `hvi-gen completions`: what completes words of the command line in a shell.
+// `hvi-gen completions`: writes the script that completes command lines in a shell.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/cli/completions.hpp"
 

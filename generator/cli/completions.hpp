@@ -1,4 +1,4 @@
-// Scripts that complete words of the command line, of each shell its own.
+// Scripts that complete words of the command line, one for each shell.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -11,7 +11,7 @@ namespace hvi::gen {
 [[nodiscard]] std::string zsh_completions();
 [[nodiscard]] std::string fish_completions();
 
-/// In quotes of bash and zsh, in which nothing is escaped.
+/// Quotes a text for bash and zsh, where nothing is escaped within quotes.
 [[nodiscard]] std::string in_quotes(std::string_view text);
 
 }  // namespace hvi::gen

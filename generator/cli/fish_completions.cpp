@@ -10,7 +10,7 @@ namespace hvi::gen {
 
 namespace {
 
-/// In quotes of fish, in which a backslash escapes.
+/// Quotes a text for fish, where a backslash escapes.
 std::string in_quotes_of_fish(std::string_view text) {
     std::string result = "'";
     for (const char c : text) {
@@ -20,7 +20,7 @@ std::string in_quotes_of_fish(std::string_view text) {
     return result + "'";
 }
 
-/// What stands behind an option: files, names, or what nobody knows.
+/// Describes the argument of an option: files, names, or any text.
 std::string arguments(const OptionEntry& option) {
     const std::string names = proposals(option);
     switch (option.value) {

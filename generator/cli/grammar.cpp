@@ -15,8 +15,8 @@ std::string names(const OptionEntry& option) {
     return (abbreviation.empty() ? "" : abbreviation + ",") + std::string(option.name);
 }
 
-/// The help of an option in lines of so many columns. NOTE: CLI11 puts them below each other, and
-/// breaks none itself.
+/// Breaks the help of an option into lines. NOTE: CLI11 puts lines below each other, but breaks
+/// none itself.
 std::string lines_of_help(const OptionEntry& option) {
     constexpr std::size_t longest = 68;
     std::string text = help_of(option);
@@ -41,7 +41,8 @@ void add_value(CLI::App& command, const OptionEntry& option) {
         ->type_name(std::string(option.placeholder));
 }
 
-/// What is to come is known, so that it can be refused as what it is, but not shown.
+/// Adds an option that is to come. It is known, so that it can be refused by its name, but not
+/// shown.
 void add_to_come(CLI::App& command, const OptionEntry& option) {
     CLI::Option& added = *command.add_option(
         names(option), [](const CLI::results_t&) { return true; }, "");
@@ -70,7 +71,7 @@ void add(CLI::App& app, const CommandEntry& entry) {
         command.group("");
         return;
     }
-    // NOTE: those that are not shown come first, else CLI11 leaves a line for them at the end.
+    // NOTE: options that are not shown come first, else CLI11 leaves a line for them at the end.
     for (const OptionEntry* option : options_of(entry.command, State::to_come))
         add_to_come(command, *option);
     for (const OptionEntry* option : options_of(entry.command, State::built)) {

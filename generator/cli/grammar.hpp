@@ -6,8 +6,9 @@
 
 namespace hvi::gen {
 
-/// Tells CLI11 what the command line can say. NOTE: it gets neither limits nor types nor exclusions
-/// to check, because its messages know no place. It only refuses a last option without its value.
+/// Describes the grammar of the command line to CLI11. NOTE: CLI11 gets neither limits nor types
+/// nor exclusions to check, because its messages know no place. It only refuses a last option
+/// without its value.
 void describe(CLI::App& app);
 
 }  // namespace hvi::gen

@@ -1,4 +1,4 @@
-// `hvi-gen list`: what can be named.
+// `hvi-gen list`: names of methods, families, scenes and functions.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <fmt/format.h>
 
@@ -17,7 +17,7 @@ namespace {
 
 using Rows = std::vector<std::vector<std::string>>;
 
-/// Rows under a title, in columns as wide as they need to be.
+/// Formats rows under a title, in columns as wide as they need to be.
 std::string table(std::string_view title, const Rows& rows) {
     std::vector<std::size_t> widths(rows.front().size());
     for (const auto& row : rows)
@@ -46,7 +46,7 @@ Rows family_rows(std::span<const FamilyEntry> families) {
     return rows;
 }
 
-/// Families, then the forms that are written as calls.
+/// Returns rows of families, then of the forms that are written as calls.
 Rows item_rows(std::span<const FamilyEntry> families, std::span<const FormEntry> forms) {
     Rows rows = family_rows(families);
     for (const FormEntry& form : forms)

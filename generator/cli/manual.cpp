@@ -11,7 +11,7 @@ namespace hvi::gen {
 
 namespace {
 
-/// As troff reads it: a hyphen is to stay the one that is typed.
+/// Escapes a text for troff: a hyphen stays the character that is typed.
 std::string roff(std::string_view text) {
     std::string result;
     for (const char c : text) {
@@ -22,14 +22,14 @@ std::string roff(std::string_view text) {
         else
             result += c;
     }
-    // What begins a line would be a request.
+    // NOTE: a period or a quote at the beginning of a line would be a request.
     return result.starts_with('.') || result.starts_with('\'') ? "\\&" + result : result;
 }
 
 std::string bold(std::string_view text) { return "\\fB" + roff(text) + "\\fR"; }
 std::string italic(std::string_view text) { return "\\fI" + roff(text) + "\\fR"; }
 
-/// `-o, --output FILE`
+/// Returns `-o, --output FILE`.
 std::string heading(const OptionEntry& option) {
     if (option.is_word()) return italic(option.placeholder);
     std::string text = bold(option.name);
@@ -39,7 +39,7 @@ std::string heading(const OptionEntry& option) {
     return text;
 }
 
-/// How an option stands to others.
+/// Describes the options that an option needs or excludes.
 std::string relations(const OptionEntry& option, Command command) {
     std::string needs, excludes;
     for (const std::string_view needed : split(option.needs.others, ' ')) {
@@ -53,7 +53,7 @@ std::string relations(const OptionEntry& option, Command command) {
     return roff(needs + excludes);
 }
 
-/// What stands behind hvi-gen: `tableau METHOD`.
+/// Returns the words behind hvi-gen: `tableau METHOD`.
 std::string usage(const CommandEntry& entry) {
     return bold(entry.name) + (entry.words.empty() ? "" : " " + italic(entry.words));
 }

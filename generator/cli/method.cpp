@@ -21,7 +21,7 @@ Method read_method(const MethodOptions& options) {
     return method_from_text(options.basis, options.nodes, options.weights);
 }
 
-/// What each `--param` says.
+/// Reads each `--param`.
 std::vector<Parameter> parameters_in(const std::vector<Given>& assignments) {
     std::vector<Parameter> parameters;
     std::set<std::string> names;
@@ -52,13 +52,13 @@ Coefficients coefficients_of(const std::filesystem::path& file, const MethodOpti
 
 namespace {
 
-/// With the values of sizes, and of others that are given.
+/// Reads a scene with the values of sizes and of other parameters that are given.
 Scene scene_in(const SystemOptions& system, const std::vector<Parameter>& values) {
     if (system.scene) return find_scene(system.scene, values);
     return scene_from_hamiltonian(system.hamiltonian, system.coordinates, system.momenta, values);
 }
 
-/// `of_scene`: the name that a scene has for one, or null.
+/// Reads the method. `of_scene` is the name that a scene has for one, or null.
 Method method_for(const MethodOptions& options, const std::shared_ptr<const Source>& of_scene,
                   const std::optional<Place>& place) {
     const bool is_given = options.name || options.basis || options.file;
@@ -69,7 +69,7 @@ Method method_for(const MethodOptions& options, const std::shared_ptr<const Sour
     return named_method(of_scene);
 }
 
-/// Where a symbol stands first, with an index or without.
+/// Returns the first place of a symbol, with an index or without.
 Place first_place(const IndexedExpression& function, std::string_view name) {
     std::optional<Range> range;
     walk(function.written, [&](const Expression& part) {

@@ -1,4 +1,4 @@
-// What the command line says of METHOD and SCENE, read.
+// Reads the METHOD and the SCENE that the command line names.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -12,11 +12,11 @@ namespace hvi::gen {
 /// Reads the method, and gives its parameters their values.
 [[nodiscard]] Method method_of(const MethodOptions& options);
 
-/// Reads a tableau in place of a method, and gives its parameters the same values.
+/// Reads a tableau in place of a method, and gives its parameters the values of the options.
 [[nodiscard]] Coefficients coefficients_of(const std::filesystem::path& file,
                                            const MethodOptions& options);
 
-/// A method and an H without indices, read; the parameters of both have their values.
+/// A method and an H without indices. The parameters of both have their values.
 struct MethodAndHamiltonian {
     Method method;
     Hamiltonian hamiltonian;
@@ -24,23 +24,25 @@ struct MethodAndHamiltonian {
 [[nodiscard]] MethodAndHamiltonian read_hamiltonian(const MethodOptions& options,
                                                     const SystemOptions& system);
 
-/// A method and a scene, read. A parameter that the method has too is fixed to its value; the
-/// values of the others are defaults. Of --hamiltonian the scene has neither a name nor initial
-/// data. A method that is not given is that of the scene's [run].
+/// A method and a scene. A parameter that the method has too is fixed to its value; the values of
+/// the others are defaults. The scene of --hamiltonian has neither a name nor initial data. Without
+/// a given method, the method is that of the scene's [run].
 struct MethodAndScene {
     Method method;
     Scene scene;
-    std::vector<Parameter> values;  ///< that the command line gives; both have them already
+    std::vector<Parameter> values;  ///< values of the command line, which both already have
 };
 
-/// Throws InputError, too, for a parameter of --hamiltonian that --param gives no value.
+/// Reads a method and a scene. Throws InputError, too, for a parameter of --hamiltonian that
+/// --param gives no value.
 [[nodiscard]] MethodAndScene read_scene(const MethodOptions& options, const SystemOptions& system);
 
-/// A method and a scene whose parameters need not have values; those that --param gives are fixed.
+/// Reads a method and a scene whose parameters need not have values. The parameters that --param
+/// gives are fixed.
 [[nodiscard]] MethodAndScene read_both(const MethodOptions& options, const SystemOptions& system);
 
-/// A scene, or the Hamiltonian of the command line as one. What `--param` gives no value, and the
-/// scene neither, has none.
+/// Reads a scene, or makes one of the command line's Hamiltonian. A parameter has no value where
+/// neither `--param` nor the scene gives one.
 [[nodiscard]] Scene read_scene_alone(const std::vector<Given>& parameters,
                                      const SystemOptions& system);
 

@@ -1,4 +1,4 @@
-// `hvi-gen module`: a stepper of a scene for C, and for what calls C.
+// `hvi-gen module`: a stepper of a scene for C, and for languages that call C.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/module/module.hpp"
 
@@ -27,7 +27,7 @@ namespace hvi::gen {
 
 namespace {
 
-/// The command that writes the same files.
+/// Returns the command that writes these files.
 std::string command(const SceneStepper& stepper, const std::string& scene,
                     const ModuleOptions& options) {
     return "hvi-gen module " + stepper.method.provenance().origin + " " + scene +
@@ -36,8 +36,8 @@ std::string command(const SceneStepper& stepper, const std::string& scene,
            (options.language == Language::python ? " --language python" : "");
 }
 
-/// The module for a compiler. NOTE: it stands with the user's headers in a directory of its own,
-/// under a name that none of them can have.
+/// Returns the module's text for a compiler. NOTE: it stands with the user's headers in a directory
+/// of its own, under a name that none of them can have.
 ProgramText program_text(const CModule& module, const std::string& name,
                          const std::vector<OwnHeader>& own) {
     ProgramText text{
@@ -82,7 +82,7 @@ PackageScene package_scene(const Scene& scene) {
     return result;
 }
 
-/// Files of the package, the library among them; compiles that.
+/// Returns the files of the package; compiles the library among them.
 std::vector<PackageFile> package(const SceneStepper& stepper, const CModule& module,
                                  const std::string& name, const std::string& command,
                                  const PackageScene& scene) {

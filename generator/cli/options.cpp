@@ -1,4 +1,4 @@
-// CLI11 splits the command line; what its words mean is said here.
+// Interprets the words of the command line, after CLI11 has split them.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/cli/options.hpp"
 
@@ -25,7 +25,7 @@ File output_option(const Words& words) {
     return file ? File(file->text) : std::nullopt;
 }
 
-/// Empty where none is given.
+/// Returns an empty method where none is given.
 MethodOptions method_beside_scene(const Words& words) {
     MethodOptions method;
     method.name = words.value("--method");
@@ -44,7 +44,7 @@ MethodOptions method_options(const Words& words, const CommandLine& line) {
     return method;
 }
 
-/// Empty where no system is named.
+/// Returns nothing where no system is named.
 std::optional<SystemOptions> system_options(const Words& words) {
     SystemOptions system;
     system.scene = words.value("SCENE");
@@ -55,7 +55,7 @@ std::optional<SystemOptions> system_options(const Words& words) {
     return {};
 }
 
-/// Sets the member that a row of the table names to what the option says.
+/// Sets the member that a row of the table names to the value of the option.
 struct WishReader {
     const Words& words;
     std::string_view option;
@@ -79,8 +79,8 @@ struct WishReader {
     void operator()(Given StepperWishes::*member) const { wishes.*member = words.value(option); }
 };
 
-/// Leaves loops where there are many coordinates: symmetries of families of these are found at
-/// once, however many elements they have.
+/// Prefers loops for many coordinates: symmetries of families are found at once, however many
+/// elements they have.
 void prefer_loops(SystemOptions& system) { system.sums.most_degrees = most_degrees_of_symmetries; }
 
 StepperWishes wishes_of(const Words& words) {
@@ -208,7 +208,7 @@ RunOptions run_options(const Words& words, const CommandLine& line) {
     if (options.reduce && !options.files.contains(RunFile::summary))
         throw InputError("what --reduce finds is said in the summary, which is left out",
                          whole(words.value("--only")), "add it, as in --only table,summary");
-    // NOTE: a picture is drawn of rows as text, and a run that goes on has but its own.
+    // NOTE: a picture is drawn of rows as text, and a resumed run has only its own rows.
     if (options.checkpoints.any() && options.format != TableFormat::csv)
         options.files.erase(RunFile::picture);
     options.output = output_option(words);
@@ -233,8 +233,8 @@ bool is_file(ReportItem item) {
     return item == html || item == json || item == csv || item == svg;
 }
 
-/// Names of --only; all files where it has none, and where it has no part, work on scenes, and with
-/// --edges all that is at the edges.
+/// Returns the named files and parts of a report. No named file means all files; no named part means
+/// work on scenes, and with --edges all parts at the edges.
 std::set<ReportItem> items_of_report(const Words& words) {
     using enum ReportItem;
     const std::set<ReportItem> named = words.choices<ReportItem>("--only");
@@ -296,7 +296,7 @@ ShowOptions show_options(const Words& words, const CommandLine& line) {
     return {scene, output_option(words)};
 }
 
-/// The text of `hvi-gen COMMAND --help`.
+/// Returns the text of `hvi-gen COMMAND --help`.
 Request help_request(const Words& words) {
     std::vector<std::string> line = {"hvi-gen"};
     if (const auto command = words.choice<Command>("COMMAND"))
@@ -319,7 +319,7 @@ CompletionsOptions completions_options(const Words& words, const CommandLine& li
     return {*shell, output_option(words)};
 }
 
-/// The command that the line names.
+/// Returns the command that the line names.
 const CLI::App& command_of(const CLI::App& app, const CommandLine& line) {
     const std::vector<std::string> rest = app.remaining();
     const auto commands = app.get_subcommands();

@@ -1,4 +1,4 @@
-// What the command line asks for, as plain data.
+// The requests of the command line, as plain data.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -27,48 +27,48 @@ struct TableauOptions {
 
     MethodOptions method;
     Format format = Format::text;
-    int digits = 50;  ///< of `decimal`
+    int digits = 50;  ///< digits of `decimal`
     std::optional<std::filesystem::path> output;
 };
 
 /// A Hamiltonian, as text: `scene`, or `hamiltonian` with both names or none.
 struct SystemOptions {
-    Given scene;  ///< the name of one, or a file
+    Given scene;  ///< a scene's name, or a file
     Given hamiltonian, coordinates, momenta;
-    UnrollWish sums = {};  ///< of a scene
+    UnrollWish sums = {};  ///< the choice for sums of a scene
 };
 
 struct CheckOptions {
     using Format = CertificateFormat;
 
-    MethodOptions method;                          ///< with `tableau` only its parameters
+    MethodOptions method;  ///< only its parameters where there is a `tableau`
     std::optional<std::filesystem::path> tableau;  ///< a file in place of a method
     int max_order = 8;
     Format format = Format::text;
-    std::optional<SystemOptions> system;  ///< of which it is asked what the method keeps
-    bool symmetries = true;               ///< look for them
+    std::optional<SystemOptions> system;  ///< the system whose conserved quantities are checked
+    bool symmetries = true;               ///< whether to look for them
     Given plot;                           ///< the file of an SVG of trace/2
     std::optional<std::filesystem::path> output;
 };
 
 struct StepperOptions {
     MethodOptions method;                 ///< empty where the scene is to name it
-    std::optional<SystemOptions> system;  ///< else that of a class of the user
+    std::optional<SystemOptions> system;  ///< empty for a class of the user
     StepperWishes wishes;
     std::optional<double> accuracy;  ///< in place of a method
-    double budget = 60;              ///< seconds to look for it
-    Given until;                     ///< the time of that, in place of the scene's
-    bool explain = false;            ///< say on standard error what is solved and what left out
+    double budget = 60;              ///< seconds to look for a method
+    Given until;                     ///< the end of these runs, in place of the scene's
+    bool explain = false;  ///< report on standard error what is solved and what is left out
     std::optional<Wish<Stage>> dump = {};  ///< the record of this stage in place of the header
     std::optional<std::filesystem::path> output;
 };
 
 /// Checkpoints of a run.
 struct CheckpointOptions {
-    Given file;                ///< to which they are added; null for none
-    std::optional<int> every;  ///< so many steps
+    Given file;                ///< the file for them; null for none
+    std::optional<int> every;  ///< steps between checkpoints
     std::optional<double> minutes;
-    Given resume;  ///< the file of the one to go on from
+    Given resume;  ///< the file of the checkpoint to resume from
 
     [[nodiscard]] bool any() const { return file || resume; }
 };
@@ -78,15 +78,15 @@ struct RunOptions {
     SystemOptions system;              ///< a scene
     StepperWishes wishes;              ///< solver, lanes and composition alone
     std::optional<double> accuracy;    ///< in place of a method and a step
-    double budget = 60;                ///< seconds to look for them
-    Given step, until;                 ///< in place of those of the scene
-    std::optional<OutputTimes> times;  ///< of rows of the table
-    std::optional<int> every;          ///< a row in so many steps
+    double budget = 60;                ///< seconds to look for method and step
+    Given step, until;                 ///< in place of the scene's
+    std::optional<OutputTimes> times;  ///< times of rows of the table
+    std::optional<int> every;          ///< steps between rows
     TableFormat format = TableFormat::csv;
     TableNumbers numbers = TableNumbers::doubles;
-    Given columns;                   ///< of the table, in place of the usual ones
+    Given columns;                   ///< columns of the table, in place of the usual ones
     Given reduce;                    ///< functions of columns, over all steps
-    bool symmetries = true;          ///< look for them
+    bool symmetries = true;          ///< whether to look for them
     std::optional<Place> interpret;  ///< without a compiler
     CheckpointOptions checkpoints;
     bool tangent = false;         ///< the derivative of the flow
@@ -94,7 +94,7 @@ struct RunOptions {
     std::optional<Exponents> lyapunov;
     bool megno = false, sali = false;
     bool shadow = false;  ///< the modified Hamiltonian
-    Given frequencies;    ///< of these columns
+    Given frequencies;    ///< columns to be analysed
     std::set<RunFile> files;
     std::optional<std::filesystem::path> output;  ///< a directory
 };
@@ -103,7 +103,7 @@ struct ModuleOptions {
     MethodOptions method;  ///< empty where the scene is to name it
     SystemOptions system;  ///< a scene
     StepperWishes wishes;  ///< solver, lanes, sums and composition alone
-    Given name;            ///< what functions and files begin with; else that of the scene
+    Given name;            ///< the prefix of functions and files, in place of the scene's name
     Language language = Language::c;
     std::filesystem::path output = ".";  ///< a directory
 };
@@ -113,11 +113,11 @@ struct ReportOptions {
     MethodOptions method;        ///< empty where `methods` are all
     Given methods;               ///< names between commas
     Given steps;                 ///< sizes between commas; chosen where there are none
-    Given until;                 ///< in place of the scenes'
-    std::optional<Place> peers;  ///< where integrators of other libraries are asked for too
-    std::optional<Place> edges;  ///< where any of these items are asked for by name
-    UnrollWish sums = {};        ///< of the scenes
-    bool symmetries = true;      ///< look for them
+    Given until;                 ///< the end, in place of the scenes'
+    std::optional<Place> peers;  ///< the option that asks for integrators of other libraries too
+    std::optional<Place> edges;  ///< the option that asks for some of these items by name
+    UnrollWish sums = {};        ///< the choice for sums of the scenes
+    bool symmetries = true;      ///< whether to look for them
     std::set<ReportItem> items;  ///< work only where there are scenes
     std::optional<std::filesystem::path> output;  ///< a directory
 };
@@ -127,9 +127,9 @@ struct SchemeOptions {
 
     MethodOptions method;  ///< its parameters are those of the Hamiltonian as well
     SystemOptions system;
-    bool generating = false;    ///< the generating function of type II too
+    bool generating = false;    ///< print the generating function of type II too
     bool lagrangian = false;    ///< the equations (4.14) in place of (4.18)
-    std::optional<int> series;  ///< so many terms of the discrete Hamiltonians too
+    std::optional<int> series;  ///< terms of the discrete Hamiltonians to print
     Format format = Format::text;
     std::optional<std::filesystem::path> output;
 };
@@ -144,7 +144,7 @@ struct SymmetriesOptions {
 };
 
 struct ShowOptions {
-    Given scene;  ///< the name of one, or a file
+    Given scene;  ///< a scene's name, or a file
     std::optional<std::filesystem::path> output;
 };
 
@@ -152,12 +152,12 @@ struct ListOptions {
     Topic topic = Topic::all;
 };
 
-/// The compiled programs that are kept.
+/// The request about compiled programs in the cache.
 struct CacheOptions {
     bool clear = false;  ///< remove them
 };
 
-/// What completes words of the command line in a shell.
+/// The request for a script that completes words in a shell.
 struct CompletionsOptions {
     Shell shell;
     std::optional<std::filesystem::path> output;
@@ -177,7 +177,7 @@ using Request =
                  ModuleOptions, ReportOptions, SymmetriesOptions, ShowOptions, ListOptions,
                  CacheOptions, CompletionsOptions, ManualOptions, Information>;
 
-/// Throws InputError with a caret in the command line, or in the value at fault.
+/// Reads the command line. Throws InputError with a caret in it, or in the value at fault.
 [[nodiscard]] Request parse(const CommandLine& line);
 
 }  // namespace hvi::gen

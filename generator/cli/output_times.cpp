@@ -57,7 +57,7 @@ Steps steps_to_output(Steps steps, const std::optional<OutputTimes>& times) {
 std::vector<double> values_of(const OutputTimes& times, const SceneTimes& scene, double step,
                               double end) {
     const double from = time_of(scene, times.from), to = time_of(scene, times.to);
-    // NOTE: where the run ends is rounded.
+    // NOTE: the end of the run is rounded.
     const double most = std::abs(end) * (1 + 1e-14);
     if (from * step < 0)
         throw InputError("the run begins at t = 0", whole(times.from), "rows are on its way");

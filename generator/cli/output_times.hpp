@@ -10,7 +10,7 @@
 
 namespace hvi::gen {
 
-/// So many times, evenly spaced, the first and the last among them. Both may depend on parameters.
+/// Evenly spaced times, including the first and the last. Both of these may depend on parameters.
 struct OutputTimes {
     Given from, to;
     long count = 1;
@@ -20,13 +20,13 @@ struct OutputTimes {
 /// whole number from 1 to 10 million.
 [[nodiscard]] OutputTimes output_times(const Given& text);
 
-/// Steps that reach the last of the times, where there are some: one more where the time is no
-/// multiple of steps.
+/// Returns steps that reach the last of the times: one step more where that time is no multiple of
+/// steps. Returns `steps` where there are no times.
 [[nodiscard]] Steps steps_to_output(Steps steps, const std::optional<OutputTimes>& times);
 
-/// The times as numbers, in their order, of a run of steps of this size, or sign, to the end.
-/// Throws InputError where they lead away from where the steps lead, begin before the run or end
-/// behind it, and MathError as nearest_value() does.
+/// Returns the times as numbers, in their order, for a run of steps of this size (and sign) to
+/// `end`. Throws InputError where the times run against the steps, begin before the run or end
+/// after it, and MathError as nearest_value() does.
 [[nodiscard]] std::vector<double> values_of(const OutputTimes& times, const SceneTimes& scene,
                                             double step, double end);
 

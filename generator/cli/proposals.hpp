@@ -1,4 +1,4 @@
-// What shells propose where a word of the command line is completed.
+// Proposals of shells for a word of the command line.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -9,17 +9,17 @@
 
 namespace hvi::gen {
 
-/// Possible values of an option between blanks, as far as they are names: a family of methods is
-/// `gauss:`, behind which a number is to follow.
+/// Returns possible values of an option between blanks, as far as they are names. A family of
+/// methods is `gauss:`, which a number must follow.
 [[nodiscard]] std::string proposals(const OptionEntry& option);
 
-/// `--help --method ...`: of those that are built.
+/// Returns the options of a command that are built: `--help --method ...`.
 [[nodiscard]] std::string option_names(Command command);
 
-/// The commands that are built.
+/// Returns the commands that are built.
 [[nodiscard]] std::vector<CommandEntry> built_commands();
 
-/// The names of those that take the option, between separators.
+/// Returns the names of the commands that take the option, between separators.
 [[nodiscard]] std::string command_names(Commands commands, std::string_view separator);
 
 }  // namespace hvi::gen

@@ -1,4 +1,4 @@
-// Where results go.
+// Writes results.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/cli/commands.hpp"
 #include "generator/support/output_file.hpp"

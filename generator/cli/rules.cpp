@@ -16,7 +16,7 @@ void check_built(const Words& words) {
         if (words.has(option->name)) refuse_to_come(option->name, words.place(option->name));
 }
 
-/// A word that CLI11 could give to nothing.
+/// Refuses words that CLI11 could not assign.
 void check_rest(const Words& words, const CommandLine& line) {
     const std::vector<std::string> rest = words.rest();
     if (rest.empty()) return;
@@ -35,7 +35,7 @@ void check_rest(const Words& words, const CommandLine& line) {
                      did_you_mean(word, names, help));
 }
 
-/// CLI11 takes the next word for a value, even when it is another option.
+/// Refuses a value that is another option, which CLI11 takes as a value.
 void check_value(const Words& words, const OptionEntry& option) {
     const std::vector<std::string>& values = words.values(option.name);
     for (std::size_t i = 0; i < values.size(); ++i) {
@@ -67,7 +67,8 @@ void check_flag(const Words& words, const OptionEntry& option) {
                              words.place(option.name));
 }
 
-/// What is said where an option does not stand to others as it should; `other` as it is spoken.
+/// Returns the error for a broken relation between options. `usual` is the wording unless the table
+/// has its own; `other` is the other option as messages name it.
 std::string said(const Relation& relation, std::string_view usual, const OptionEntry& option,
                  const std::string& other) {
     return relation.what.empty() ? fmt::format("{} {} {}", spoken(option.name), usual, other)

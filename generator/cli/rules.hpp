@@ -1,4 +1,4 @@
-// What the table of options says of a command line as a whole.
+// Checks the command line by the rules in the table of options.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -6,8 +6,8 @@
 
 namespace hvi::gen {
 
-/// Throws InputError for options that are to come, or unknown, or without their value, or given
-/// twice, or with others that they exclude, or without those that they need.
+/// Throws InputError for options that are to come, unknown, without a value, given twice, excluded
+/// by others, or without options that they need.
 void check_rules(const Words& words, const CommandLine& line);
 
 /// Throws InputError where the command itself is to come.

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t most_bytes = std::size_t(1) << 30;
 
-/// The texts that an event is made of.
+/// Returns the texts of an event's parts.
 std::string text_of(const IndexedEvent& event) {
     std::string text = fmt::format("event {} {} {} {}\n", event.name, event.zero.source->text,
                                    static_cast<int>(event.direction), event.stop);

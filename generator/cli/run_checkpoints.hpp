@@ -1,4 +1,4 @@
-// Checkpoints of a run: which it writes, and which it goes on from.
+// Checkpoints of a run: those that it writes, and the one that it resumes from.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -11,19 +11,20 @@
 
 namespace hvi::gen {
 
-/// What tells a run from others, in a few digits: the version of hvi-gen, the stepper, its
-/// parameters, the size of its steps, events, and rows and columns of the table; not where it ends.
+/// Returns a few digits that identify a run: its version of hvi-gen, stepper, parameters, step
+/// size, events, and rows and columns of the table. The end of the run is left out, so that a
+/// resumed run may go further.
 [[nodiscard]] std::string key_of(const WishedRun& run, const TableWishes& table);
 
-/// The texts that events are made of.
+/// Returns the texts of events.
 [[nodiscard]] std::string text_of(const std::vector<IndexedEvent>& events);
 
-/// The checkpoints that are wished for: each tenth minute where nothing else is said.
+/// Returns the wished checkpoints: every ten minutes where no interval is given.
 [[nodiscard]] std::optional<CheckpointWishes> wished_checkpoints(const CheckpointOptions& options,
                                                                  const std::string& key);
 
-/// The checkpoint that a run goes on from. Throws InputError as last_checkpoint() and read_file()
-/// do.
+/// Returns the checkpoint that a run resumes from. Throws InputError as last_checkpoint() and
+/// read_file() do.
 [[nodiscard]] std::optional<Checkpoint> resumed_checkpoint(const CheckpointOptions& options,
                                                            const std::string& key);
 

@@ -41,11 +41,11 @@ constexpr const char* summary_name = "summary.txt";
 
 }  // namespace
 
-/// A file that a program of ours fills. Removed at the end of its life unless renamed.
+/// A file that one of our programs fills. Its destructor removes it unless it is renamed or stays.
 class RunFiles::Unfinished {
 public:
     explicit Unfinished(const fs::path& directory) : path_(new_file(directory)) {}
-    /// A file of this name, which stays.
+    /// Names a file that is kept if it `stays`.
     Unfinished(fs::path path, bool stays) : path_(std::move(path)), stays_(stays) {}
     ~Unfinished() {
         std::error_code ignored;
@@ -68,7 +68,7 @@ private:
     bool stays_ = false;
 };
 
-/// A directory for results; where nothing was left in it, at the end of its life it is gone again.
+/// A directory for results. Its destructor removes it where it created it and nothing is in it.
 class RunFiles::ResultDirectory {
 public:
     explicit ResultDirectory(fs::path path) : path_(std::move(path)) {
@@ -90,7 +90,7 @@ public:
 
 private:
     fs::path path_;
-    std::vector<fs::path> missing_;  ///< before; the innermost first
+    std::vector<fs::path> missing_;  ///< directories that were missing, the innermost first
 };
 
 RunFiles::RunFiles(const std::optional<fs::path>& directory) {
@@ -107,7 +107,7 @@ fs::path growing(const fs::path& directory, const char* name) {
     return directory / (std::string(name) + ".partial");
 }
 
-/// Puts a table that is whole, or was thought to be, where it grows.
+/// Moves a finished table, or one that seemed finished, back to the name of a growing one.
 void let_grow(const fs::path& directory, const char* name) {
     std::error_code ignored;
     const fs::path partial = growing(directory, name);

@@ -22,41 +22,40 @@ public:
     /// Makes the directory. Throws EnvironmentError.
     explicit RunFiles(const std::optional<std::filesystem::path>& directory);
 
-    /// Lets tables grow in files of a name of their own, so that they are there however the run
-    /// ends; those that a run goes on from stay. Throws EnvironmentError. Precondition: no table
-    /// has been asked for.
+    /// Lets tables grow in named files, so that they remain however the run ends; files that a run
+    /// resumes stay. Throws EnvironmentError. Precondition: no table has been asked for.
     void keep_growing(bool goes_on, TableFormat format);
     ~RunFiles();
     RunFiles(const RunFiles&) = delete;
     RunFiles& operator=(const RunFiles&) = delete;
 
-    /// Whether there are any.
+    /// Whether there are any files.
     [[nodiscard]] bool any() const { return directory_ != nullptr; }
-    /// Where the table grows.
+    /// Returns the file of the growing table.
     [[nodiscard]] std::filesystem::path table() const;
-    /// Where the table of events grows.
+    /// Returns the file of the growing table of events.
     [[nodiscard]] std::filesystem::path events();
-    /// Where a table of the picture grows. Precondition: there is a directory.
+    /// Returns the file of the picture's growing table. Precondition: there is a directory.
     [[nodiscard]] std::filesystem::path table_of_picture();
 
     /// Keeps the derivative of the flow, row by row, where there is one. Throws EnvironmentError.
     void keep_tangent(const std::vector<double>& entries) const;
-    /// `sensitivity.csv`, unless it is empty.
+    /// Keeps `sensitivity.csv`, unless the table is empty.
     void keep_sensitivities(const std::string& table) const;
-    /// `section.csv`, unless it is empty.
+    /// Keeps `section.csv`, unless the table is empty.
     void keep_section_map(const std::string& table) const;
 
     /// Keeps the frequencies of columns, where there are some. Throws EnvironmentError.
     void keep_frequencies(const std::vector<ColumnFrequencies>& found) const;
 
-    /// Keeps the picture of events, whose table has been kept, where there is one. Throws
-    /// EnvironmentError.
+    /// Keeps the picture of events, where there is one. Throws EnvironmentError. Precondition:
+    /// their table has been kept.
     void keep_section(SectionPicture picture) const;
 
-    /// Keeps the tables, as far as they are. Throws EnvironmentError.
+    /// Keeps the tables as far as they have been written. Throws EnvironmentError.
     void keep_table(const Simulation& run, TableFormat format);
 
-    /// Keeps what is wished for. Throws EnvironmentError.
+    /// Keeps the wished files. Throws EnvironmentError.
     void keep(const RunSubject& subject, const Steps& asked, const Simulation& run,
               RunTables tables, const std::set<RunFile>& wished, const std::string& summary);
 
@@ -65,7 +64,7 @@ private:
     class ResultDirectory;
 
     std::unique_ptr<ResultDirectory> directory_;
-    std::unique_ptr<Unfinished> table_, events_, table_of_picture_;  // below: they are in it
+    std::unique_ptr<Unfinished> table_, events_, table_of_picture_;  // in directory_
     bool stays_ = false;
 };
 

@@ -12,7 +12,8 @@ namespace hvi::gen {
 
 namespace {
 
-/// The first terms behind the mean, `1.41421 +- 2e-13 (amplitude 0.5)`, but what may be rounding.
+/// Returns the first terms after the mean, `1.41421 +- 2e-13 (amplitude 0.5)`. Leaves out terms
+/// that may be rounding errors.
 std::string said_of(const ColumnFrequencies& column) {
     constexpr std::size_t most = 3;
     constexpr double little = 1e-10;

@@ -1,4 +1,4 @@
-// `hvi-gen run --frequencies COLUMNS`: which columns, and what is said of them.
+// `hvi-gen run --frequencies COLUMNS`: the columns, and the report on them.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -11,8 +11,8 @@
 
 namespace hvi::gen {
 
-/// The columns whose frequencies are wished for. Throws InputError for names that are none of the
-/// run, too few rows, and steps of scaled time.
+/// Returns the columns whose frequencies are wished for. Throws InputError for unknown names, too
+/// few rows, and steps of scaled time.
 [[nodiscard]] std::vector<ColumnBox> analysed_columns(const WishedRun& wished,
                                                       const RunOptions& options);
 
@@ -20,7 +20,7 @@ namespace hvi::gen {
 [[nodiscard]] std::vector<std::pair<std::string, std::string>>
 lines_of(const std::vector<ColumnFrequencies>& found);
 
-/// `frequencies.csv`.
+/// Returns the text of `frequencies.csv`.
 [[nodiscard]] std::string table_of(const std::vector<ColumnFrequencies>& found);
 
 }  // namespace hvi::gen

@@ -12,12 +12,13 @@
 
 namespace hvi::gen {
 
-/// Notes from which the run can be made again: the scene and its text, the method, the size of a
-/// step, and a command for the stepper with the parameters that were given. No clock is in them.
+/// Returns notes from which the run can be repeated: the scene and its text, the method, the size
+/// of a step, and a command for the stepper with the given parameters. They contain no date or
+/// time.
 [[nodiscard]] std::vector<TableNote> notes_on(const Scene& scene, const SceneStepper& stepper,
                                               const RunSubject& subject, double step);
 
-/// Kinds of the columns, by their names without an index.
+/// Returns the kinds of the columns, by their names without an index.
 [[nodiscard]] std::map<std::string, std::string, std::less<>>
 meanings_of(const RunSubject& subject);
 

@@ -13,7 +13,7 @@ namespace {
 /// Columns of a table of events: the name, the number, the time, and the variables.
 constexpr std::size_t column_of_time = 3, first_variable = 4;
 
-/// The names in the boxes, one by one.
+/// Returns the names in the boxes, one by one.
 std::vector<std::string> all_names(const std::vector<NameBox>& boxes) {
     std::vector<std::string> names;
     for (std::string name = name_at(boxes, 0); !name.empty(); name = name_at(boxes, names.size()))

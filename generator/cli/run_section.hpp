@@ -12,17 +12,17 @@
 
 namespace hvi::gen {
 
-/// Axes of such a picture: columns of the table of events.
+/// Axes of a picture of events: columns of the table of events.
 struct SectionAxes {
     TableColumn x, y;
 };
 
-/// The first coordinate that no event has for its `zero`, and its momentum; the time and the
-/// momentum where there is no other coordinate. Nothing without events.
+/// Returns the axes: the first coordinate that is no event's `zero`, and its momentum; the time and
+/// the momentum where there is no other coordinate. Returns nothing without events.
 [[nodiscard]] std::optional<SectionAxes> section_axes(const WrittenOutScene& scene,
                                                       const RunSubject& subject);
 
-/// The picture of the events that a run has met, without its table.
+/// Returns the picture of the events that a run has met, without its table.
 [[nodiscard]] SectionPicture section_of(std::string title, const SectionAxes& axes,
                                         const EventWishes& wishes, const Simulation& run);
 

@@ -21,15 +21,16 @@ double per_step(std::int64_t count, std::int64_t steps) {
     return static_cast<double>(count) / static_cast<double>(steps);
 }
 
-/// The part of the time at the end in which there is no whole step.
+/// Returns the remaining time at the end that is shorter than a step.
 std::string left_out(const Steps& asked) {
     const double last = static_cast<double>(asked.count) * asked.size;
     return fmt::format("t = {:.10g} to {:.10g}, which is less than a step", last,
                        last + asked.left);
 }
 
-/// The start of a quantity, its measured errors, and what is known of it beside them. NOTE: what is
-/// not conserved at all energies may be at that of the run, so its changes are no errors.
+/// Returns the start of a quantity, its measured errors, and the knowledge about it. NOTE: a
+/// quantity that is not conserved at all energies may be conserved at the run's energy, so its
+/// changes are no errors.
 std::string said_of(const Conserved& kept, const std::vector<Statement>& statements) {
     const auto statement =
         std::find_if(statements.begin(), statements.end(),
@@ -44,7 +45,7 @@ std::string said_of(const Conserved& kept, const std::vector<Statement>& stateme
                        is_known ? fmt::format("; {}", keeping_text(statement->keeping)) : "");
 }
 
-/// `section, 12 times`
+/// Returns `section, 12 times`.
 std::string events_text(const std::string& name, std::int64_t count) {
     return fmt::format("{}, {}", name, count == 1 ? "once" : fmt::format("{} times", count));
 }
@@ -114,7 +115,7 @@ void warn_of_energy(const Simulation& run, const WishedRun& wished) {
     const auto& events = wished.events.events;
     const bool may_jump = std::any_of(events.begin(), events.end(),
                                       [](const DrivenEvent& each) { return bool(each.set); });
-    if (may_jump) return;  // which may change it as they like
+    if (may_jump) return;  // a jump may change the energy
     for (const Conserved& kept : run.conserved) {
         if (kept.name != "energy") continue;
         const double scale = std::max(std::abs(kept.start), run.energy_of_motion);

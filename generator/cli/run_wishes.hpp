@@ -1,4 +1,4 @@
-// What `run` and `report` have in common.
+// Common parts of `run` and `report`.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -10,16 +10,17 @@
 
 namespace hvi::gen {
 
-/// `step` or `until`: what the command line says, else the scene. Throws InputError where neither
-/// does, with what to give: `option`, or, where that is empty, an option of this name.
+/// Returns `step` or `until`: the value of the command line, else that of the scene. Throws
+/// InputError where neither has it; the help names `option`, or, where that is empty, an option
+/// with this name.
 [[nodiscard]] NamedExpression wish(const SceneTimes& times, const Given& given,
                                    const std::optional<NamedExpression>& of_scene,
                                    const std::string& name, const std::string& option = {});
 
-/// `1.2 ms`
+/// Returns `1.2 ms`.
 [[nodiscard]] std::string duration(double seconds);
 
-/// With those above it, where they are missing. Throws EnvironmentError.
+/// Makes a directory and the missing ones above it. Throws EnvironmentError.
 void make_directory(const std::filesystem::path& path);
 
 }  // namespace hvi::gen

@@ -10,26 +10,27 @@
 
 namespace hvi::gen {
 
-/// Takes steppers to what takes their steps.
+/// Chooses how the steps of steppers are taken.
 class Runner {
 public:
-    /// Looks for a compiler where none is to be done without.
+    /// Looks for a compiler unless steps are to be interpreted.
     explicit Runner(const std::optional<Place>& interpret);
 
     [[nodiscard]] bool interprets() const { return !compiler_.has_value(); }
 
-    /// Begins to compile what it will be asked for.
+    /// Begins to compile a stepper in advance.
     void begin(const SceneStepper& stepper);
 
-    /// Throws InputError where steps cannot be interpreted, or EnvironmentError where they had to
-    /// be for want of a compiler. Preconditions: it has begun with the stepper, which lives longer.
+    /// Returns the compiled or interpreted steps. Throws InputError where steps cannot be
+    /// interpreted, or EnvironmentError where there is no compiler and they cannot be interpreted
+    /// either. Preconditions: begin() was called with the stepper, which lives longer.
     [[nodiscard]] Target target(const SceneStepper& stepper);
 
 private:
     std::optional<Place> interpret_;
     std::optional<Compiler> compiler_;
     std::optional<EnvironmentError> missing_;
-    bool has_said_so_ = false;  ///< that steps are interpreted for want of a compiler
+    bool has_said_so_ = false;  ///< a message that there is no compiler was shown
     std::optional<Builds> builds_;
     std::map<const SceneStepper*, ModuleBuild> begun_;
 };

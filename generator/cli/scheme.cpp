@@ -25,11 +25,11 @@ std::string rendered(const Equations& step, SchemeOptions::Format format) {
     return {};
 }
 
-/// H itself, or that of L.
+/// Returns H itself, or the Hamiltonian of L.
 Hamiltonian hamiltonian_of(const Hamiltonian& hamiltonian) { return hamiltonian; }
 Hamiltonian hamiltonian_of(const Lagrangian& lagrangian) { return legendre_transform(lagrangian); }
 
-/// For a function that is H or L.
+/// Returns the equations for a function that is H or L.
 template <class Function>
 std::string equations(const Method& method, const Function& function,
                       const SchemeOptions& options) {
@@ -45,7 +45,7 @@ std::string printed(const Method& method, const Function& function, const Scheme
     return equations(method, function, options);
 }
 
-/// Equations of sums that stay sums.
+/// Returns equations in which sums stay sums.
 std::string printed_with_sums(const MethodAndScene& both, const SchemeOptions& options) {
     Scene scene = both.scene;
     const UnrollWish& wish = options.system.sums;

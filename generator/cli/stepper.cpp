@@ -1,4 +1,4 @@
-// `hvi-gen stepper`: a method as a C++ header, for any Hamiltonian or for that of a scene.
+// `hvi-gen stepper`: a method as a C++ header, for any Hamiltonian or for a scene.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/pipeline/stepper.hpp"
 
@@ -46,7 +46,8 @@ std::string explanation(const SceneStepper& stepper) {
     return text;
 }
 
-/// NOTE: beside one another an #include would find the stepper in the header's place.
+/// NOTE: with both files in one directory, an #include would find the stepper in the header's
+/// place.
 void check_output(const StepperOptions& options, const OwnFunctions& own) {
     if (!options.output) return;
     for (const OwnFunction& function : own.functions) {
@@ -67,7 +68,7 @@ void write_scene(const StepperOptions& options) {
                  options.dump ? dump(wished.method, stepper, *options.dump) : stepper.header);
 }
 
-/// With the method and the solver that measuring finds.
+/// Writes a stepper with the method and the solver that measuring finds.
 void write_advised(const StepperOptions& options) {
     const InterruptionsHeld held;
     const AdvisedOptions advice =

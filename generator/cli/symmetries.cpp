@@ -1,4 +1,4 @@
-// `hvi-gen symmetries`: affine symmetries, their momentum maps, and what is conserved.
+// `hvi-gen symmetries`: affine symmetries, their momentum maps, and conserved quantities.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/render/symmetries.hpp"
 
@@ -10,7 +10,8 @@ namespace hvi::gen {
 
 namespace {
 
-/// Throws MathError for the first invariant that is none, and the first such symmetry.
+/// Throws MathError for the first claimed invariant, and for the first claimed symmetry, that is
+/// none.
 void check_said(const SceneSymmetries& found) {
     for (const ConservedQuantity& invariant : found.invariants)
         if (invariant.finding.conserved == Vanishing::refuted && !invariant.is_approximate)

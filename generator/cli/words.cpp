@@ -11,7 +11,7 @@ namespace hvi::gen {
 
 namespace {
 
-/// The number that the whole of a text is.
+/// Returns the number that the whole text is.
 template <class Number>
 std::optional<Number> number_in(const std::string& text) {
     Number number{};

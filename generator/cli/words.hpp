@@ -1,4 +1,4 @@
-// What CLI11 gave to the options of a command, with the places of words in the command line.
+// The options of a command with the words that CLI11 gave to them, and their places.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -17,16 +17,16 @@
 
 namespace hvi::gen {
 
-/// The items between the commas of a list, without blanks around them; the name of each source is
-/// that of the list. Throws InputError where one is missing.
+/// Returns the items between the commas of a list, without blanks around them; each source has the
+/// list's name. Throws InputError where an item is missing.
 [[nodiscard]] std::vector<Given> list_items(const Given& list);
 
-/// Throws InputError for what is announced.
+/// Throws InputError for something that is to come.
 [[noreturn]] void refuse_to_come(std::string_view name, const Place& place);
 
-/// A command with the words that CLI11 gave to its options. What reads a value throws InputError
-/// for words that are not what the row of the option asks for. Precondition of all that take an
-/// option: it is one of the command.
+/// A command with the words that CLI11 gave to its options. A function that reads a value throws
+/// InputError for words that do not fit the option's row in the table. Precondition of all
+/// functions that take an option: it is one of the command.
 class Words {
 public:
     Words(Command command, const CLI::App& parsed, const CommandLine& line)
@@ -34,28 +34,28 @@ public:
 
     [[nodiscard]] Command command() const { return command_; }
 
-    /// Words that belong to no option.
+    /// Returns the words that belong to no option.
     [[nodiscard]] std::vector<std::string> rest() const { return parsed_.remaining(); }
 
-    /// The place of the n-th occurrence of an option, by whichever of its names.
+    /// Returns the place of the n-th occurrence of an option, by whichever of its names.
     [[nodiscard]] Place place(std::string_view option, std::size_t n = 0) const;
 
     [[nodiscard]] bool has(std::string_view option) const {
         return parsed_.count(std::string(option)) > 0;
     }
 
-    /// The values of an option, one for each occurrence.
+    /// Returns the values of an option, one for each occurrence.
     [[nodiscard]] const std::vector<std::string>& values(std::string_view option) const {
         return parsed_.get_option(std::string(option))->results();
     }
 
-    /// The same as texts of the option.
+    /// Returns the values as texts of the option.
     [[nodiscard]] std::vector<Given> texts(std::string_view option) const;
 
-    /// The value of an option that can be given once, or null.
+    /// Returns the value of an option that can be given once, or null.
     [[nodiscard]] Given value(std::string_view option) const;
 
-    /// Of those that take a file or a directory; not empty.
+    /// Returns the value of an option that takes a file or a directory; it is not empty.
     [[nodiscard]] Given file(std::string_view option) const;
 
     [[nodiscard]] std::optional<int> whole_number(std::string_view option) const;
@@ -68,8 +68,8 @@ public:
         return chosen ? std::optional(static_cast<Enumeration>(chosen->value)) : std::nullopt;
     }
 
-    /// The choice of a mode, the first one where there is none behind `=`; nothing where it is not
-    /// given.
+    /// Returns the choice of a mode: the first one where no value stands behind `=`; nothing where
+    /// the option is not given.
     template <class Enumeration>
     [[nodiscard]] std::optional<Enumeration> mode(std::string_view option) const {
         if (!has(option)) return {};
@@ -80,7 +80,7 @@ public:
         return static_cast<Enumeration>(choices.front().value);
     }
 
-    /// The items of a list between commas; none when it is not given.
+    /// Returns the items of a list between commas; none when the option is not given.
     template <class Enumeration>
     [[nodiscard]] std::set<Enumeration> choices(std::string_view option) const {
         std::set<Enumeration> all;
@@ -91,7 +91,7 @@ public:
     }
 
 private:
-    /// Null where there is no text.
+    /// Returns null where there is no text.
     [[nodiscard]] const Choice* chosen_of(std::string_view option, const Given& text) const;
 
     Command command_;

@@ -10,7 +10,7 @@ namespace hvi::gen {
 
 namespace {
 
-/// With a backslash before what separates the parts of a specification.
+/// Puts a backslash before characters that separate the parts of a specification.
 std::string escaped(std::string_view text, std::string_view separators) {
     std::string result;
     for (const char c : text) {
@@ -20,7 +20,7 @@ std::string escaped(std::string_view text, std::string_view separators) {
     return result;
 }
 
-/// What proposes the value of an option.
+/// Returns the action that proposes the value of an option.
 std::string action(const OptionEntry& option) {
     const std::string names = escaped(proposals(option), ":");
     switch (option.value) {
@@ -33,7 +33,7 @@ std::string action(const OptionEntry& option) {
     }
 }
 
-/// The options that are not proposed any more where this one stands: `(-o --output)`, or nothing.
+/// Returns the options that are not proposed after this one: `(-o --output)`, or nothing.
 std::string exclusions(const OptionEntry& option, Command command) {
     std::vector<std::string_view> names;
     for (const OptionEntry* other : not_beside(option, command))
@@ -42,7 +42,7 @@ std::string exclusions(const OptionEntry& option, Command command) {
     return names.empty() ? "" : fmt::format("({})", fmt::join(names, " "));
 }
 
-/// `'(-o --output)'{-o,--output=}'[Write to this file]:FILE:_files'`
+/// Returns `'(-o --output)'{-o,--output=}'[Write to this file]:FILE:_files'`.
 std::string specification(const OptionEntry& option, Command command) {
     const std::string value =
         option.takes_word()

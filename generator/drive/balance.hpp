@@ -1,4 +1,4 @@
-// The balance of the energy and of what an H that depends on the time takes in.
+// The balance between the energy and its change by an H that depends on time.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -12,8 +12,8 @@ struct BalanceWishes {
     std::int64_t steps = 0;
 };
 
-/// Takes the steps of DrivenProblem, whose energy is H + e, and says its largest change and that at
-/// the end. The status of its end is 0 also where a step failed.
+/// Takes the steps of DrivenProblem, whose energy is H + e, and reports its largest change and its
+/// change at the end. Returns the exit status 0 also where a step failed.
 [[nodiscard]] int take_balance(const BalanceWishes& wishes);
 
 }  // namespace hvi::gen

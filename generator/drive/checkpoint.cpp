@@ -42,19 +42,19 @@ private:
     std::string text_;
 };
 
-/// Times of an event that may not have been: none, or one.
+/// Returns no time or one, for an event that may not have occurred.
 std::vector<double> listed(const std::optional<double>& time) {
     return time ? std::vector<double>{*time} : std::vector<double>{};
 }
 
 // ---- reading ----
 
-/// Lines in the order in which they are written.
+/// Reads lines in the order in which they are written.
 class LineReader {
 public:
     explicit LineReader(std::string_view text) : text_(text) {}
 
-    /// What stands behind the name that a line begins with.
+    /// Returns the text behind the name that a line begins with.
     [[nodiscard]] std::string_view line(std::string_view name) {
         const std::size_t end = text_.find('\n');
         std::string_view line = text_.substr(0, end);
@@ -137,7 +137,7 @@ std::optional<Checkpoint> read(std::string_view text, std::string& key) {
     return reader.is_right() ? std::optional(all) : std::nullopt;
 }
 
-/// Whether the text is a whole checkpoint, with its digest behind it.
+/// Whether the text is a whole checkpoint, which its digest follows.
 bool is_whole(std::string_view text, std::string_view behind) {
     const std::string expected = std::string(ends) + digest(text) + "\n";
     return behind.substr(0, expected.size()) == expected;

@@ -1,4 +1,4 @@
-// Places of a run from which it can go on.
+// Checkpoints: places of a run from which it can resume.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -16,29 +16,29 @@ namespace hvi::gen {
 
 using EventMemory = detail::EventSteps<DrivenStepper>::Memory;
 
-/// All that a run goes on from: its bits are those of a run that has forgotten, at the same place,
-/// what steps had left behind. Numbers are those of DrivenProblem.
+/// The data from which a run resumes. Its bits are those of a run that at this place forgets what
+/// its steps have remembered. Numbers are those of DrivenProblem.
 struct Checkpoint {
     std::int64_t steps = 0, iterations = 0, evaluations = 0;
     double t = 0;
     std::vector<double> state = {};  ///< q, p, and the time where H depends on it
     std::vector<detail::Departure> departures = {};
-    double motion = 0;  ///< sum and number of an EnergyOfMotion
+    double motion = 0;  ///< sum of an EnergyOfMotion, with the number below
     std::int64_t motions = 0;
     std::vector<EventMemory> events = {};
-    std::vector<std::int64_t> counts = {};  ///< of events
-    std::vector<double> reductions = {};    ///< as Reductions remembers them
+    std::vector<std::int64_t> counts = {};  ///< numbers of events
+    std::vector<double> reductions = {};    ///< the memory of Reductions
     std::vector<std::int64_t> sizes =
-        {};  ///< of the tables so far, in bytes; then of that of events
-    std::vector<std::int64_t> rows = {};  ///< of the tables
+        {};  ///< bytes of the tables so far, then of the table of events
+    std::vector<std::int64_t> rows = {};  ///< rows of the tables
 };
 
-/// The checkpoint as lines, of a run that the key tells from others, with the sum of their digits
-/// at the end.
+/// Returns the checkpoint as lines, with their digest at the end. The key identifies the run.
 [[nodiscard]] std::string text(const Checkpoint& checkpoint, const std::string& key);
 
-/// The last whole checkpoint in the text of a file, of a run with this key. Throws InputError, with
-/// the place of the file's name, where there is none, and where it is of another run.
+/// Returns the last whole checkpoint in the text of a file, for a run with this key. Throws
+/// InputError, with the place of the file's name, where there is none, and where it belongs to
+/// another run.
 [[nodiscard]] Checkpoint last_checkpoint(const std::string& text, const std::string& key,
                                          const std::filesystem::path& file);
 

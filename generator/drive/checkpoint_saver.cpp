@@ -15,7 +15,7 @@ namespace {
 
 volatile std::sig_atomic_t stops = 0, saves = 0;
 
-/// Whether the text is in the file, also after the power is cut.
+/// Appends the text. Returns whether it is in the file, even if the power is cut.
 bool append(const char* path, const std::string& text) {
     std::FILE* const file = std::fopen(path, "ab");
     if (file == nullptr) return false;

@@ -1,4 +1,4 @@
-// When a run writes a checkpoint, and when it stops on the way.
+// Decides when a run writes a checkpoint, and when it stops early.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -10,7 +10,7 @@
 
 namespace hvi::gen {
 
-/// From now on SIGTERM asks the run to stop, and SIGUSR1 to write a checkpoint.
+/// Lets SIGTERM ask the run to stop, and SIGUSR1 to write a checkpoint.
 void heed_signals();
 
 /// Whether the run is asked to stop.
@@ -19,10 +19,10 @@ void heed_signals();
 /// Adds checkpoints to a file, by steps, by minutes and when a signal asks for one.
 class CheckpointSaver {
 public:
-    /// Writes none where none are wished for.
+    /// Writes no checkpoints without wishes.
     explicit CheckpointSaver(const std::optional<CheckpointWishes>& wishes) : wishes_(wishes) {}
 
-    /// How many steps there are to the next place of one.
+    /// Returns the number of steps to the next checkpoint.
     [[nodiscard]] std::int64_t ahead(std::int64_t taken) const;
 
     [[nodiscard]] bool is_due(std::int64_t taken) const;

@@ -11,16 +11,16 @@
 
 namespace hvi::gen {
 
-/// Samples of columns, at steps or at the times of rows: so many that these are at most 2^18 a
-/// column and 2^24 in all, each second of them otherwise, or each third one, and so on.
+/// Samples of columns, at steps or at the times of rows. If there are more than 2^18 for a column
+/// or 2^24 in all, only each second one is taken, or each third one, and so on.
 class ColumnSamples {
 public:
     explicit ColumnSamples(const TrajectoryWishes& wishes);
 
-    /// How many steps there are to the next sample at steps.
+    /// Returns the number of steps to the next sample at steps.
     [[nodiscard]] std::int64_t ahead(std::int64_t taken) const { return every_ - taken % every_; }
 
-    /// Takes a sample where so many steps have been taken, if there is one.
+    /// Takes a sample after `taken` steps, if there is one.
     void see(std::int64_t taken, const Rows::Value& value) {
         if (!has_times_ && taken % every_ == 0) add(value);
     }
@@ -30,14 +30,15 @@ public:
         if (rows_++ % every_ == 0) add(value);
     }
 
-    /// Says the terms of each column: none where there are too few samples, or not all are finite.
+    /// Reports the terms of each column: none where there are too few samples, or not all are
+    /// finite.
     void tell() const;
 
 private:
     void add(const Rows::Value& value);
     void tell(const std::vector<double>& values) const;
 
-    std::vector<std::size_t> numbers_;  ///< of the columns
+    std::vector<std::size_t> numbers_;  ///< numbers of the columns
     bool has_times_;
     std::int64_t every_ = 1, rows_ = 0;
     double first_ = 0, step_ = 0;

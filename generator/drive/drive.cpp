@@ -20,7 +20,7 @@ int run(std::string_view command, const Words& words) {
     return 2;
 }
 
-/// Runs a command that looks at invariants where rows are written.
+/// Runs a command that computes invariants where rows are written.
 int run_by_rows(std::string_view command, const Words& words) {
     if (command == "measure") return driver::large_measure<DrivenProblem>(words);
     if (command == "departures") return driver::large_departures<DrivenProblem>(words);
@@ -37,7 +37,7 @@ int run(Words words) {
     return by_rows ? run_by_rows(command, words) : run(command, words);
 }
 
-/// Runs work() on the steppers, which may throw as drivers do: its exit status.
+/// Runs work() on the steppers, which may throw as drivers do. Returns its exit status.
 template <class Work>
 int status_of(const FindSteppers& find, Work work) {
     try {

@@ -1,5 +1,4 @@
-// Steps of a stepper of numbers, which hvi-gen takes in a copy of its process: a step may crash, or
-// never end.
+// Drives steppers of numbers in a copy of the process: a step may crash, or never end.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -19,17 +18,18 @@ namespace hvi::gen {
 /// The exit status where a step calls for solvers that were not given.
 inline constexpr int solver_is_apart = 6;
 
-/// The word before a command that looks at invariants where rows are written, not at each step.
+/// The word before a command that computes invariants only where rows are written, not at each
+/// step.
 inline constexpr const char* rows_word = "rows";
 
 /// Finds steppers. Throws as loaded_module() does.
 using FindSteppers = std::function<MakeStepper()>;
 
-/// Runs a command of src/driver on them, and returns the exit status that simulate/answers.cpp
-/// expects. Answers are lines of standard output: src/driver/answer.hpp.
+/// Runs a command of src/driver on the steppers, and returns the exit status that
+/// simulate/answers.cpp expects. Answers are lines of standard output: src/driver/answer.hpp.
 [[nodiscard]] int drive(const FindSteppers& find, const std::vector<std::string_view>& command);
 
-/// Takes the steps of a trajectory, of directions, of a modified Hamiltonian, of a balance, or of a
+/// Take the steps of a trajectory, of directions, of a modified Hamiltonian, of a balance, or of a
 /// run with events that is measured.
 [[nodiscard]] int drive(const FindSteppers& find, const TrajectoryWishes& wishes);
 [[nodiscard]] int drive(const FindSteppers& find, const TangentWishes& wishes);

@@ -1,4 +1,4 @@
-// Events of a run that hvi-gen drives, and how such a run ends.
+// Events of a run that hvi-gen drives, and the ends of such a run.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -16,25 +16,25 @@ namespace hvi::gen {
 
 /// An event of a run.
 struct DrivenEvent {
-    Event<DrivenStepper> event;  ///< which does nothing of its own
-    std::int64_t stop = 0;       ///< the run ends at this one; 0 for none
-    std::function<void(DrivenStepper::State&, double)> set = {};  ///< what jumps; or nothing
+    Event<DrivenStepper> event;  ///< has no action of its own
+    std::int64_t stop = 0;       ///< the number of the event that ends the run; 0 for none
+    std::function<void(DrivenStepper::State&, double)> set = {};  ///< makes it jump; or nothing
     std::string name = {};
     FindCrossing crossing = {};  ///< its derivatives; nothing where they are not built
 };
 
-/// The time where steps are of another variable: the last of the coordinates.
+/// The clock of steps in another variable. Time is the last of the coordinates.
 struct ScaledClock {
     double until = 0;
 };
 
-/// The event that ends the time of a clock.
+/// Returns the event that ends the time of a clock.
 [[nodiscard]] Event<DrivenStepper> end_of_clock(const ScaledClock& clock);
 
-/// The state without the time of a clock and its momentum.
+/// Returns the state without the time of a clock and its momentum.
 [[nodiscard]] DrivenStepper::State without_clock(DrivenStepper::State x);
 
-/// Says why a run ended. `end_of_clock` is the number of the event that ends the time.
+/// Reports why a run ended. `end_of_clock` is the number of the event that ends the time.
 void tell_ending(const EventRun<double>& run, std::size_t end_of_clock);
 
 }  // namespace hvi::gen

@@ -9,7 +9,7 @@
 
 namespace hvi::gen {
 
-/// The steppers that this process is started for. NOTE: drivers ask a type, not an object.
+/// The steppers that this process is started for. NOTE: drivers call a type, not an object.
 struct DrivenProblem {
     using Stepper = DrivenStepper;
 

@@ -16,7 +16,7 @@ namespace hvi::gen {
 
 namespace {
 
-/// NOTE: it is not copied, as its events count in it.
+/// NOTE: it is not copied, as its events refer to it when they count.
 class EventfulRun {
 public:
     using State = DrivenStepper::State;
@@ -28,7 +28,7 @@ public:
                           [this](const State& x, double) { outputs_.push_back(x.q.front()); });
     }
 
-    /// Calls see(stepper, x, t) where steps and the run end.
+    /// Calls see(stepper, x, t) after each step and at the end of the run.
     template <class See>
     void take(See see) {
         course_.begin(x_, 0, wishes_.h);
@@ -40,7 +40,7 @@ public:
         if (run_.ending == Ending::all_steps) course_.finish(x_, wishes_.h, run_);
     }
 
-    /// Whether it has come to the end that it was to come to.
+    /// Whether the run has come to its intended end.
     [[nodiscard]] bool ok() const {
         return run_.ending == (wishes_.clock ? Ending::event : Ending::all_steps);
     }
@@ -105,7 +105,7 @@ void sample(const EventfulRunWishes& wishes) {
     });
 }
 
-/// A run as tell_time() takes it.
+/// Returns a run for tell_time().
 [[nodiscard]] auto repetition(const EventfulRunWishes& wishes) {
     return [run = std::make_unique<EventfulRun>(wishes)] {
         run->take([](const auto&, const auto&, double) {});

@@ -26,10 +26,11 @@ namespace {
 constexpr double pi = std::numbers::pi;
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-/// a cos(frequency tau) + b sin(frequency tau), tau from the middle of the samples.
+/// A term a cos(frequency tau) + b sin(frequency tau); tau is measured from the middle of the
+/// samples.
 struct Pair {
     double frequency = 0, a = 0, b = 0;
-    double home = 0;  ///< near which it stays, and others do not come
+    double home = 0;  ///< its frequency stays near this, and others stay away
 
     [[nodiscard]] double amplitude() const { return std::hypot(a, b); }
 };
@@ -45,7 +46,7 @@ public:
     [[nodiscard]] double mean() const { return mean_; }
     [[nodiscard]] const std::vector<Pair>& pairs() const { return pairs_; }
 
-    /// A part of 2 pi in the whole time: frequencies that are as near are not told apart.
+    /// Returns the resolution, 2 pi over the whole time: closer frequencies are not distinguished.
     [[nodiscard]] double resolution() const { return 2 * pi / static_cast<double>(values_.size()); }
 
     void add(double frequency) {
@@ -54,8 +55,8 @@ public:
         improve(10);
     }
 
-    /// Looks for each term anew, with the others taken away, until none moves by what others would
-    /// feel, at most so many times.
+    /// Fits each term again, with the others subtracted, until the changes do not affect the
+    /// others, but at most `most` times.
     void improve(int most) {
         for (int k = 0; k < most; ++k) {
             double largest = 0;
@@ -72,7 +73,7 @@ public:
         }
     }
 
-    /// The samples without the mean and all pairs, but one.
+    /// Returns the samples without the mean and all pairs, except one.
     [[nodiscard]] std::vector<double> rest(const Pair* but = nullptr) const {
         std::vector<double> result(values_.begin(), values_.end());
         for (double& value : result) value -= mean_;
@@ -81,8 +82,9 @@ public:
         return result;
     }
 
-    /// The frequency near `about` at which the projection is largest. NOTE: where it is largest is
-    /// known to half the digits, where its derivative is zero to all of them.
+    /// Returns the frequency near `about` at which the projection is largest. NOTE: a search for
+    /// the largest value gives half of the digits, a search for the zero of the derivative gives
+    /// all.
     [[nodiscard]] double peak(const std::vector<double>& values, double about, double by) const {
         const WindowedSamples samples(window_, values);
         const double low = std::max(about - by, resolution() / 2);
@@ -108,8 +110,8 @@ private:
         pair.b = 2 * f.sine / (1 - w);
     }
 
-    /// Half the square of the projection of samples onto cos and sin, which are orthogonal, and its
-    /// derivative by the frequency.
+    /// Returns half the square of the projection of samples onto cos and sin, which are orthogonal,
+    /// and its derivative by the frequency.
     [[nodiscard]] std::pair<double, double> projection(const WindowedSamples& samples,
                                                        double frequency) const {
         const WindowedSamples::Products f = samples.products(frequency);
@@ -129,8 +131,8 @@ private:
             [&](std::size_t k, double c, double s) { from[k] -= pair.a * c + pair.b * s; });
     }
 
-    /// Fits the mean and the amplitudes: the cosines, 1 among them, and the sines apart, which are
-    /// orthogonal to each other.
+    /// Fits the mean and the amplitudes. The cosines, with the constant 1, and the sines are
+    /// orthogonal to each other and are fitted separately.
     void solve() {
         const auto n = static_cast<Eigen::Index>(pairs_.size());
         Eigen::MatrixXd cosines(n + 1, n + 1), sines(n, n);
@@ -165,8 +167,8 @@ private:
     std::vector<Pair> pairs_;
 };
 
-/// The place of the largest amplitude of the spectrum, where there is one that is not of a term
-/// that is known. Zeros behind the samples make their number a power of two.
+/// The largest amplitude of the spectrum that belongs to no known term. Zeros after the samples
+/// make their number a power of two.
 struct SpectralPeak {
     double frequency = 0, amplitude = 0, by = 0;
 };
@@ -198,14 +200,14 @@ std::optional<SpectralPeak> largest_peak(const Fit& fit) {
 
 constexpr std::size_t samples_of_term = 16;
 
-/// Sweeps over all terms that are enough, as each makes what disturbs them much smaller.
+/// The most sweeps over all terms: each makes the disturbances by others much smaller.
 constexpr int most_sweeps = 30;
 
-/// The mean and the main terms of samples.
+/// Returns the mean and the main terms of samples.
 Fit fitted(std::span<const double> values, std::size_t most) {
     double size = 0;
     for (const double value : values) size = std::max(size, std::abs(value));
-    // NOTE: lines are some parts of 2 pi in the whole time apart.
+    // NOTE: lines are several times 2 pi over the whole time apart.
     most = std::min(most, values.size() / samples_of_term);
     Fit fit(values);
     while (fit.pairs().size() < most) {
@@ -217,7 +219,7 @@ Fit fitted(std::span<const double> values, std::size_t most) {
     return fit;
 }
 
-/// How far it is from a frequency to the nearest one of a fit.
+/// Returns the distance of a frequency from the nearest one of a fit.
 double distance(double frequency, const Fit& from) {
     double nearest = pi;
     for (const Pair& pair : from.pairs())
@@ -225,8 +227,8 @@ double distance(double frequency, const Fit& from) {
     return nearest;
 }
 
-/// Numbers of the size of 1, and the power of two that makes them what they were: squares of these
-/// stay finite.
+/// Numbers of the size of 1, and the power of two that restores their size: their squares stay
+/// finite.
 struct Normalized {
     std::vector<double> values;
     int exponent = 0;
@@ -240,7 +242,7 @@ Normalized normalized(const std::vector<double>& values) {
     return result;
 }
 
-/// The phase at the time 0, from -pi to pi, of a pair whose middle is at another time.
+/// Returns the phase at time 0, from -pi to pi, of a pair whose middle is at another time.
 double phase_at_zero(const Pair& pair, const Samples& samples) {
     using Long = long double;
     const Long middle = static_cast<Long>(samples.values.size() - 1) / 2;

@@ -13,29 +13,30 @@ struct Samples {
     std::vector<double> values;
 };
 
-/// amplitude cos(frequency t + phase), with an angular frequency, in radians per unit of time.
+/// The term amplitude cos(frequency t + phase), with an angular frequency, in radians per unit of
+/// time.
 struct FrequencyTerm {
     double frequency = 0, amplitude = 0, phase = 0;
-    double uncertainty = 0;  ///< of the frequency
+    double uncertainty = 0;  ///< uncertainty of the frequency
 };
 
-/// How many samples there have to be.
+/// The least number of samples.
 inline constexpr std::size_t fewest_samples = 64;
 
-/// The mean, as a term of frequency 0, then at most so many terms of frequencies above 0, by their
-/// amplitudes.
+/// Returns the mean, as a term of frequency 0, then at most `most` terms of frequencies above 0, by
+/// their amplitudes.
 ///
-/// Each frequency is where the projection of what is left onto a pair of cosine and sine is
-/// largest, in the product with the window 1 + cos of Hanning (J. Laskar, Physica D 67, 1993,
-/// 257-281); and then again and again with all other terms taken away, so that neither these nor
-/// the frequency of the other sign disturb it. A sum of few terms is found to round-off so. Terms
-/// within two parts of 2 pi in the whole time of each other are not told apart.
+/// Each frequency maximizes the projection of the remaining samples onto a pair of cosine and sine,
+/// in the product with the window 1 + cos of Hanning (J. Laskar, Physica D 67, 1993, 257-281). It
+/// is then improved repeatedly with all other terms subtracted, so that neither these nor the
+/// negative frequency disturb it. This finds a sum of few terms to round-off. Frequencies closer
+/// than two times 2 pi over the whole time are not distinguished.
 ///
-/// The uncertainty is the larger distance from the frequencies that both halves of the samples
-/// have. Where the motion is quasi-periodic that covers the error, as the error of half the time
-/// is some 8 to 16 times that of the whole; where it is chaotic it is the drift of the frequency.
+/// The uncertainty is the larger distance from the frequencies of both halves of the samples. For a
+/// quasi-periodic motion it covers the error, as the error of half the time is some 8 to 16 times
+/// that of the whole. For a chaotic motion it is the drift of the frequency.
 ///
-/// There are at most n/16 terms of n samples, also in each half. Preconditions: at least
+/// There are at most n/16 terms for n samples, also in each half. Preconditions: at least
 /// fewest_samples, all finite; the step is not 0.
 [[nodiscard]] std::vector<FrequencyTerm> frequencies(const Samples& samples, std::size_t most);
 

@@ -26,7 +26,8 @@ void* loaded_hdf5() {
 
 Hdf5Library::Hdf5Library() : library_(loaded_hdf5()) {
     unsigned major = 0, minor = 0, release = 0;
-    // NOTE: first of all; at its exit it would print where a file cannot be closed on a full disk.
+    // NOTE: called first; at its exit the library would print where a file cannot be closed on a
+    // full disk.
     const bool is_quiet =
         H5dont_atexit() >= 0 && H5open() >= 0 && H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr) >= 0;
     if (!is_quiet || H5get_libversion(&major, &minor, &release) < 0)

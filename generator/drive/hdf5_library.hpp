@@ -1,4 +1,4 @@
-// HDF5's C library, loaded where it is first used: starting hvi-gen costs nothing of it.
+// HDF5's C library, loaded at its first use, so that starting hvi-gen is not slower.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -6,13 +6,13 @@
 
 namespace hvi::gen {
 
-/// Functions and values of the library, by the names that its header gives them. NOTE: macros of
-/// that header would call functions which nothing here is linked with: H5F_ACC_TRUNC does.
+/// Functions and values of the library, by the names of its header. NOTE: macros of this header,
+/// such as H5F_ACC_TRUNC, call functions that are not linked.
 class Hdf5Library {
     void* library_;
 
 public:
-    /// Throws EnvironmentError where the library is missing, or is another one than its header.
+    /// Throws EnvironmentError where the library is missing, or differs from its header.
     Hdf5Library();
     Hdf5Library(const Hdf5Library&) = delete;
     Hdf5Library& operator=(const Hdf5Library&) = delete;
@@ -77,7 +77,7 @@ private:
     }
 };
 
-/// The library, loaded once. Throws as its constructor does.
+/// Returns the library, loaded once. Throws as its constructor does.
 [[nodiscard]] const Hdf5Library& hdf5();
 
 }  // namespace hvi::gen

@@ -35,7 +35,7 @@ void add_attribute(hid_t to, const char* name, hid_t type, const Hdf5Object& spa
     done(hdf5().H5Awrite(made.id(), type, value));
 }
 
-/// A text of any length.
+/// Adds a text of any length.
 void add_text(hid_t to, const char* name, const std::string& text) {
     const Hdf5Object type = copied_type(hdf5().text());
     done(hdf5().H5Tset_size(type.id(), H5T_VARIABLE));
@@ -44,7 +44,7 @@ void add_text(hid_t to, const char* name, const std::string& text) {
     add_attribute(to, name, type.id(), scalar_space(), &characters);
 }
 
-/// A text of a length that the type says, as attributes of dimensions are.
+/// Adds a text of fixed length, as attributes of dimensions need.
 void add_word(hid_t to, const char* name, const std::string& text) {
     const Hdf5Object type = copied_type(hdf5().text());
     done(hdf5().H5Tset_size(type.id(), text.size() + 1));
@@ -54,7 +54,7 @@ void add_word(hid_t to, const char* name, const std::string& text) {
 void add_note(hid_t to, const TableNote& note) {
     if (const auto* text = std::get_if<std::string>(&note.value))
         return add_text(to, note.name.c_str(), *text);
-    // NOTE: numbers stand in files in the order of Intel's bytes, wherever they are written.
+    // NOTE: numbers in files are little-endian on all machines.
     const double number = std::get<double>(note.value);
     const Hdf5Object attribute(hdf5().H5Acreate2(to, note.name.c_str(), hdf5().double_in_file(),
                                                  scalar_space().id(), usual, usual),
@@ -62,7 +62,8 @@ void add_note(hid_t to, const TableNote& note) {
     done(hdf5().H5Awrite(attribute.id(), hdf5().double_here(), &number));
 }
 
-/// Access by the format of HDF5 1.8: it has no limit to what describes a dataset, and every reader.
+/// Returns access by the format of HDF5 1.8: all readers know it, and it does not limit the
+/// description of a dataset.
 Hdf5Object access_to_file() {
     Hdf5Object access = properties(hdf5().file_access());
     done(hdf5().H5Pset_libver_bounds(access.id(), H5F_LIBVER_V18, H5F_LIBVER_V18));
@@ -70,7 +71,7 @@ Hdf5Object access_to_file() {
     return access;
 }
 
-/// A new file, which keeps the order in which things are put into it, and not when that was.
+/// Makes a new file. It keeps the order of its objects, but no times of creation.
 Hdf5Object new_hdf5_file(const std::filesystem::path& path) {
     constexpr unsigned keeps_order = H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED;
     const Hdf5Object creation = properties(hdf5().file_creation());
@@ -87,13 +88,13 @@ hobj_ref_t reference_to(const Hdf5Object& file, const std::string& name) {
     return reference;
 }
 
-/// So many rows of a column at a time that all of them take a few megabytes.
+/// Returns rows in a chunk of a column, so that all columns together take a few megabytes.
 std::size_t rows_in_chunk(std::size_t columns) {
     constexpr std::size_t numbers = 1 << 20, least = 16, most = 1024;
     return std::clamp(numbers / columns, least, most);
 }
 
-/// Says of a dataset that it is the scale of a dimension, and of which datasets.
+/// Marks a dataset as the scale of a dimension of other datasets.
 void make_scale(const Hdf5Object& scale, const std::vector<hobj_ref_t>& attached) {
     constexpr std::size_t behind_reference = sizeof(hobj_ref_t),
                           size = behind_reference + sizeof(int);
@@ -107,7 +108,7 @@ void make_scale(const Hdf5Object& scale, const std::vector<hobj_ref_t>& attached
     add_attribute(scale.id(), "REFERENCE_LIST", type.id(), space_of(attached.size()), all.data());
 }
 
-/// Says of a dataset which one is the scale of its dimension.
+/// Refers a dataset to the scale of its dimension.
 void attach(const Hdf5Object& column, hobj_ref_t scale) {
     const Hdf5Object type(hdf5().H5Tvlen_create(hdf5().reference()), hdf5().H5Tclose);
     const hvl_t list{1, &scale};
@@ -132,7 +133,7 @@ void Hdf5Rows::begin(const TableHead& head) {
     done(hdf5().H5Pset_obj_track_times(creation.id(), false));
     done(hdf5().H5Pset_attr_creation_order(creation.id(),
                                            H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED));
-    // NOTE: chunks are written whole, and a cache of each dataset would hold a megabyte.
+    // NOTE: chunks are written whole, so that a cache of a megabyte for each dataset is of no use.
     const Hdf5Object access = properties(hdf5().dataset_access());
     done(hdf5().H5Pset_chunk_cache(access.id(), 0, 0, 0));
     for (const NamedColumn& column : head.columns) add_column(column, creation, access);

@@ -1,4 +1,4 @@
-// A table as HDF5: a dataset for each column, which grow together.
+// A table as HDF5: a dataset for each column; all grow together.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -15,12 +15,12 @@
 
 namespace hvi::gen {
 
-/// An object of HDF5, which is closed at the end of its life.
+/// An object of HDF5. The destructor closes it.
 class Hdf5Object {
 public:
     using Close = herr_t (*)(hid_t);
 
-    /// Throws Hdf5Failure where the library has made none.
+    /// Throws Hdf5Failure where the library has not made the object.
     Hdf5Object(hid_t id, Close how);
     ~Hdf5Object() { static_cast<void>(close()); }
     Hdf5Object(Hdf5Object&& other) noexcept
@@ -32,7 +32,7 @@ public:
     }
 
     [[nodiscard]] hid_t id() const { return id_; }
-    /// Whether that went well.
+    /// Closes the object. Returns whether that succeeded.
     [[nodiscard]] bool close() { return id_ < 0 || close_(std::exchange(id_, -1)) >= 0; }
 
 private:
@@ -44,8 +44,8 @@ private:
 struct Hdf5Failure {};
 
 /// Rows in datasets of one dimension, with the first column as its scale: see "HDF5 Dimension Scale
-/// Specification and Design Notes". So readers of netCDF-4 take them for variables over `t`. A file
-/// depends on what is written alone, and on no clock.
+/// Specification and Design Notes". Readers of netCDF-4 therefore take them for variables over `t`.
+/// A file depends only on its contents, and on no clock.
 class Hdf5Rows : public RowFile {
 public:
     Hdf5Rows(const std::filesystem::path& path, const TableHead& head);
@@ -62,16 +62,16 @@ private:
     void attach_columns();
     void flush();
 
-    std::size_t in_chunk_;  ///< rows
+    std::size_t in_chunk_;  ///< rows in a chunk
     bool good_ = true;
     std::optional<Hdf5Object> file_;
     std::vector<Hdf5Object> columns_;  ///< datasets; below the file, so that they are closed first
-    std::vector<TableNumbers> numbers_;        ///< that they hold
-    std::vector<std::vector<double>> buffer_;  ///< of rows that are not written, column by column
-    hsize_t written_ = 0;                      ///< rows
+    std::vector<TableNumbers> numbers_;        ///< types of their numbers
+    std::vector<std::vector<double>> buffer_;  ///< rows that are not written yet, column by column
+    hsize_t written_ = 0;                      ///< written rows
 };
 
-/// Adds a text to a whole file. False where it cannot be written.
+/// Adds a text to a whole file. Returns false where it cannot be written.
 [[nodiscard]] bool add_note(const std::filesystem::path& path, const std::string& name,
                             const std::string& text);
 

@@ -9,17 +9,17 @@
 
 namespace hvi::gen {
 
-/// Words that make steppers of a module.
+/// The paths from which a module's steppers are made.
 struct ModuleStart {
-    std::string path;       ///< of the library
+    std::string path;       ///< path of the library
     std::string solvers;    ///< path of the library of its solvers; or empty
-    std::string directory;  ///< of the scene, whose files are found from there
+    std::string directory;  ///< the scene's directory, where its files are
     std::vector<double> parameters;
 };
 
-/// Loads a module, which stays so until the process ends, and makes steppers of it. These throw
-/// std::bad_alloc, and std::runtime_error with what the module says; so does this where the file is
-/// no module of this version.
+/// Loads a module, which stays loaded until the process ends, and returns a function that makes its
+/// steppers. That function throws std::bad_alloc, and std::runtime_error with the module's message.
+/// loaded_module() throws std::runtime_error where the file is no module of this version.
 [[nodiscard]] MakeStepper loaded_module(ModuleStart start);
 
 }  // namespace hvi::gen

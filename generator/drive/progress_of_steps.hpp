@@ -9,7 +9,7 @@
 
 namespace hvi::gen {
 
-/// Says how far it is, ten times a second: from `begin` to `end`, parts of all that there is to do.
+/// Reports progress ten times a second: from `begin` to `end`, which are parts of the whole work.
 class ProgressOfSteps {
 public:
     ProgressOfSteps(std::int64_t steps, double begin, double end)

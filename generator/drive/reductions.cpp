@@ -8,7 +8,7 @@ namespace hvi::gen {
 
 namespace {
 
-/// Adds to a sum what rounding would cut off. NOTE: of a sum that overflows nothing is cut off.
+/// Adds a value to a compensated sum. NOTE: an infinite sum has no remainder.
 void add(Sum<double>& sum, double value) {
     const Sum<double> next = two_sum(sum.value, value);
     sum.value = next.value;

@@ -1,4 +1,4 @@
-// Numbers of a run that each of its steps is looked at for.
+// Reductions: numbers of a run that depend on each of its steps.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -12,7 +12,7 @@
 
 namespace hvi::gen {
 
-/// The least value, the largest, and the mean over time by the trapezoidal rule: of steps of one
+/// The least value, the largest, and the mean over time by the trapezoidal rule. For steps of one
 /// size that is the mean of all values, in which the first and the last count half. A value that is
 /// no number makes the result none.
 class Reductions {
@@ -23,19 +23,19 @@ public:
         : wishes_(wishes), states_(wishes.size()) {}
 
     [[nodiscard]] bool any() const { return !wishes_.empty(); }
-    /// Whether columns from this number on are looked at.
+    /// Whether there are reductions of columns from this number on.
     [[nodiscard]] bool any_from(std::size_t column) const;
 
     void begin(double t, const Value& value);
-    /// Looks at values behind a step, or where a run ends within one.
+    /// Takes values after a step, or at the end of the run within a step.
     void see(double t, const Value& value);
 
     [[nodiscard]] std::vector<double> results() const;
 
-    /// All that it goes on from, in so many numbers.
+    /// Returns the data from which reductions resume, as numbers.
     [[nodiscard]] std::vector<double> memory() const;
     [[nodiscard]] std::size_t memory_size() const { return 2 + 3 * states_.size(); }
-    /// Precondition: the memory has this size.
+    /// Resumes. Precondition: the memory has memory_size() numbers.
     void resume(const std::vector<double>& memory);
 
 private:

@@ -49,8 +49,8 @@ std::size_t record_size(const std::vector<NamedColumn>& columns) {
     return size;
 }
 
-/// The beginning of an NPY file of version 2: what is in it as a literal of Python, filled up with
-/// blanks, so that it is as long whatever the number of rows.
+/// Returns the header of an NPY file of version 2: a description as a literal of Python, padded
+/// with blanks so that its length does not depend on the number of rows.
 std::string npy_header(const std::vector<NamedColumn>& columns, std::int64_t rows) {
     constexpr std::size_t longest_count = 20, alignment = 64, before = 12;
     const char order = std::endian::native == std::endian::little ? '<' : '>';

@@ -14,7 +14,7 @@
 
 namespace hvi::gen {
 
-/// Rows of doubles. Whether all of them were written is known at close().
+/// Rows of doubles. close() reports whether all of them were written.
 class RowFile {
 public:
     RowFile() = default;
@@ -24,27 +24,27 @@ public:
 
     virtual void row(const std::vector<double>& values) = 0;
     [[nodiscard]] virtual bool good() const = 0;
-    /// How many bytes there are, all of which have left this process; -1 where they have not.
+    /// Returns the number of bytes, all handed to the system; -1 where that failed.
     [[nodiscard]] virtual std::int64_t flushed_size() = 0;
     [[nodiscard]] virtual bool close() = 0;
 };
 
 struct NamedColumn {
     std::string name;
-    std::string meaning;  ///< for people: `momentum px`
+    std::string meaning;  ///< its kind: `momentum px`
     TableNumbers numbers = TableNumbers::doubles;
 };
 
-/// The nearest float as IEC 60559 has it: infinite where the value is beyond the largest one.
+/// Returns the nearest float by IEC 60559: infinite where the value is beyond the largest one.
 [[nodiscard]] inline float nearest_float(double value) { return static_cast<float>(value); }
 
-/// A line on the run that a table is of: a text, or a number.
+/// A note about the run of a table: a text, or a number.
 struct TableNote {
     std::string name;
     std::variant<std::string, double> value;
 };
 
-/// All that stands in a table before its rows, as far as the format has a place for it.
+/// The head of a table, as far as the format has a place for it.
 struct TableHead {
     std::vector<NamedColumn> columns;
     std::vector<TableNote> notes;
@@ -53,17 +53,18 @@ struct TableHead {
 /// Throws EnvironmentError where tables of this format cannot be written on this machine.
 void check_format(TableFormat format);
 
-/// A new file; or one that goes on behind so many bytes of a file of the same head and format.
+/// Makes a new file; or one that continues after `size` bytes of a file with an equal head and
+/// format.
 ///
-/// NPY is an array of records, one field a name, that NumPy reads: numpy.load(file)["energy"].
-/// Preconditions: the format is checked, and HDF5 does not go on.
+/// NPY is an array of records, one field for each name, that NumPy reads:
+/// numpy.load(file)["energy"]. Preconditions: the format is checked, and an HDF5 file is new.
 [[nodiscard]] std::unique_ptr<RowFile> row_file(TableFormat format,
                                                 const std::filesystem::path& path,
                                                 const TableHead& head,
                                                 std::optional<std::int64_t> size = {});
 
-/// Says in a table that is closed why it is not whole, as far as the format has a place for it.
-/// False where it cannot be written.
+/// Writes into a closed table why it is incomplete, as far as the format has a place for it.
+/// Returns false where that cannot be written.
 [[nodiscard]] bool mark_incomplete(TableFormat format, const std::filesystem::path& path,
                                    const std::string& why);
 

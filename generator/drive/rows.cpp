@@ -7,7 +7,7 @@ namespace hvi::gen {
 
 namespace {
 
-/// The time, and the columns of a table.
+/// Returns the head of the time and the columns of a table.
 TableHead head_of(const TableWishes& wishes) {
     TableHead head{{{"t", "time", TableNumbers::doubles}}, wishes.notes};
     for_each_column(wishes.columns, [&](const std::string& name, std::size_t) {

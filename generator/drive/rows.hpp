@@ -1,4 +1,4 @@
-// Tables of a trajectory, as it comes by.
+// Tables of a trajectory, written step by step.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -15,15 +15,15 @@
 
 namespace hvi::gen {
 
-/// Some numbers of a run: at one step in so many and where it ends, or at given times.
+/// Numbers of a run: at one step in `every` and at the end, or at given times.
 class Rows {
 public:
     using Value = std::function<double(std::size_t number)>;
 
-    /// A new table.
+    /// Makes a new table.
     explicit Rows(const TableWishes& wishes);
 
-    /// A table that goes on behind so many bytes and rows, and so many steps at the time t.
+    /// The place of a resumed table: its bytes and rows, and the steps at the time t.
     struct Place {
         std::int64_t size, rows, steps;
         double t;
@@ -36,15 +36,15 @@ public:
 
     [[nodiscard]] bool has_row(std::int64_t taken) const { return taken % every_ == 0; }
 
-    /// How many steps there are to the next row.
+    /// Returns the number of steps to the next row.
     [[nodiscard]] std::int64_t ahead(std::int64_t taken) const { return every_ - taken % every_; }
 
-    /// Writes the row of so many steps, where there is one.
+    /// Writes the row after `taken` steps, where there is one.
     void see(std::int64_t taken, double time, const Value& value) {
         if (!has_times_ && has_row(taken)) write(time, value);
     }
 
-    /// Writes the last row, where it is not there.
+    /// Writes the last row, unless it is written already.
     void see_end(double time, const Value& value) {
         if (!has_times_ && last_ != time) write(time, value);
     }
@@ -57,11 +57,11 @@ public:
 private:
     std::int64_t every_;
     bool has_times_;
-    std::vector<std::size_t> numbers_;  // of the columns
+    std::vector<std::size_t> numbers_;  // numbers of the columns
     std::unique_ptr<RowFile> table_;
-    std::vector<double> values_;  // of a row
+    std::vector<double> values_;  // values of a row
     std::int64_t count_ = 0;
-    std::optional<double> last_;  // time of a row
+    std::optional<double> last_;  // time of the last row
 };
 
 /// The table of the events of a run.
@@ -78,7 +78,7 @@ public:
     [[nodiscard]] bool close() { return !table_ || table_->close(); }
 
 private:
-    std::vector<std::size_t> numbers_;  ///< of the variables
+    std::vector<std::size_t> numbers_;  ///< numbers of the variables
     std::optional<NumberTable> table_;
 };
 

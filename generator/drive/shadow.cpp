@@ -18,8 +18,8 @@ namespace {
 
 constexpr int reach = ShadowWishes::reach;
 
-/// Weights of f(j) - f(-j), j = 1 to m, in the derivative at 0 of the polynomial of degree 2m
-/// through f(-m) to f(m):
+/// Returns the weights of f(j) - f(-j), j = 1 to m, in the derivative at 0 of the polynomial of
+/// degree 2m through f(-m) to f(m):
 ///
 ///     (-1)^(j+1) m!^2 / (j (m-j)! (m+j)!)
 std::array<double, reach> weights_of_differences(int m) {
@@ -32,7 +32,7 @@ std::array<double, reach> weights_of_differences(int m) {
     return result;
 }
 
-/// The last 2 reach + 1 states, and how much d - b grew in the step before each.
+/// The last 2 reach + 1 states, and the growth of d - b in the step before each.
 class Window {
 public:
     explicit Window(const ShadowWishes& wishes) : n_(wishes.degrees), h_(wishes.h) {}
@@ -45,7 +45,7 @@ public:
         place.growth = (x.q.size() > n_ + 1 ? x.q[n_ + 1] : 0) - x.p[n_];
     }
 
-    /// H~ in the middle. Precondition: there are as many states as it takes.
+    /// Returns H~ in the middle. Precondition: there are 2 reach + 1 states.
     [[nodiscard]] double value(const std::array<double, reach>& weights) const {
         const Place& middle = at(0);
         double sum = 0, growth = 0;
@@ -67,7 +67,7 @@ private:
         double growth = 0;
     };
 
-    /// The place so many steps behind the middle.
+    /// Returns the place `j` steps after the middle.
     [[nodiscard]] const Place& at(int j) const {
         const auto after = static_cast<std::size_t>(reach + j);
         return places_[(next_ + after) % places_.size()];
@@ -76,12 +76,12 @@ private:
     std::size_t n_;
     double h_;
     std::array<Place, 2 * reach + 1> places_;
-    std::size_t next_ = 0;  ///< the oldest, once all are there
+    std::size_t next_ = 0;  ///< the oldest place, once all are filled
 };
 
-/// How far a value by 2 reach steps is from one by as many as one likes: of each frequency values
-/// approach it from one side, by parts that shrink as powers. NOTE: of parts that hardly shrink,
-/// as those that are rounding, nobody knows how many there are.
+/// Estimates the distance of a value by 2 reach steps from the limit of many steps. For each
+/// frequency values approach the limit from one side, by parts that shrink as powers. NOTE: where
+/// the parts hardly shrink, as rounding errors do, their number is unknown.
 class ErrorOfDifferences {
 public:
     /// Takes values by 2 reach steps, by two less, and by four less.
@@ -100,8 +100,8 @@ private:
     double last_ = 0, one_before_ = 0;
 };
 
-/// Sets b and d to 0, on which nothing depends: so their differences have no error of rounding that
-/// grows with the time.
+/// Sets b and d to 0, on which nothing depends, so that rounding errors of their differences do not
+/// grow with time.
 void forget_growth(DrivenStepper::State& x, std::size_t n) {
     x.p[n] = 0;
     if (x.q.size() > n + 1) x.q[n + 1] = 0;

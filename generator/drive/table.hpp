@@ -15,20 +15,20 @@
 
 namespace hvi::gen {
 
-/// A text as comma-separated values have it: in quotes where a comma is in it, as in u[1,2].
-/// Precondition: there is no quote in it.
+/// Returns a text as a cell of comma-separated values: in quotes where a comma is in it, as in
+/// u[1,2]. Precondition: there is no quote in it.
 [[nodiscard]] inline std::string text_of_cell(std::string_view text) {
     const std::string_view quote = text.find(',') == std::string_view::npos ? "" : "\"";
     return std::string(quote).append(text).append(quote);
 }
 
-/// Rows of numbers below a line of names. Whether all of it was written is known at close().
+/// Rows of numbers below a line of names. close() reports whether all of it was written.
 class NumberTable {
 public:
     explicit NumberTable(const char* path)
         : file_(std::fopen(path, "wb")), good_(file_ != nullptr) {}
 
-    /// Goes on with a file behind so many bytes, and forgets what is there.
+    /// Continues a file after `size` bytes, and drops the rest of it.
     NumberTable(const char* path, std::int64_t size) : file_(std::fopen(path, "r+b")) {
         const bool is_nowhere = std::string_view(path) == "/dev/null";
         good_ = file_ != nullptr && (is_nowhere || is_cut_off(size));
@@ -54,7 +54,7 @@ public:
         return *this;
     }
 
-    /// NOTE: in as many digits as it takes to give the float back.
+    /// NOTE: writes enough digits to restore the float.
     NumberTable& cell(float value) {
         if (!line_.empty()) { line_ += ','; }
         std::array<char, 32> digits;
@@ -69,23 +69,23 @@ public:
         line_.clear();
     }
 
-    /// Writes these as they are.
+    /// Writes bytes as they are.
     void bytes(std::string_view all) {
         good_ = good_ && std::fwrite(all.data(), 1, all.size(), file_) == all.size();
     }
-    /// Writes these where the file begins, in place of as many.
+    /// Writes bytes over the beginning of the file.
     void overwrite(std::string_view all) {
         good_ = good_ && std::fseek(file_, 0, SEEK_SET) == 0;
         bytes(all);
     }
 
-    /// How many bytes there are, all of which have left this process; -1 where they have not.
+    /// Returns the number of bytes, all handed to the system; -1 where that failed.
     [[nodiscard]] std::int64_t flushed_size() {
         good_ = good_ && std::fflush(file_) == 0;
         return good_ ? static_cast<std::int64_t>(std::ftell(file_)) : -1;
     }
 
-    /// Whether every row has arrived.
+    /// Closes the file. Returns whether every row has been written.
     [[nodiscard]] bool close() {
         if (file_ == nullptr) { return false; }
         good_ = std::fclose(file_) == 0 && good_;

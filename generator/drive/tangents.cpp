@@ -16,17 +16,17 @@ namespace hvi::gen {
 
 namespace {
 
-/// Numbers of a direction: a scaled time and its momentum are none of them.
+/// Returns the numbers of a direction: a scaled time and its momentum do not count.
 std::size_t numbers_of(const TangentWishes& wishes) {
     return 2 * (degrees_of_problem() - (wishes.motion ? 1 : 0));
 }
 
-/// The time after steps: their number times h, or the scaled time.
+/// Returns the time after steps: their number times h, or the scaled time.
 double time_of(const Directions& directions, const TangentWishes& wishes, std::int64_t steps) {
     return wishes.motion ? directions.state().q.back() : wishes.h * static_cast<double>(steps);
 }
 
-/// A direction in which no component is small: there is some of each mode in it.
+/// Returns a direction in which no component is small, so that it contains each mode.
 DirectionVector usual_direction(std::size_t numbers, double seed) {
     DirectionVector v;
     for (std::size_t k = 1; k <= numbers; ++k) {
@@ -44,8 +44,8 @@ std::vector<DirectionVector> all_units(std::size_t numbers) {
     return result;
 }
 
-/// Takes the steps of the directions, and calls see(taken) after each whole one. False where one
-/// fails.
+/// Takes the steps of the directions, and calls see(taken) after each whole step. Returns false
+/// where a step fails.
 template <class See>
 bool take(Directions& directions, const TangentWishes& wishes, ProgressOfSteps progress, See see) {
     for (std::int64_t taken = 1; taken <= wishes.steps; ++taken) {
@@ -72,7 +72,7 @@ class Growth {
 public:
     explicit Growth(Directions& directions) : directions_(directions) {}
 
-    /// Looks at a time, which may be counted in steps.
+    /// Takes the growth at a time, which may be counted in steps.
     void see(double time) {
         const double norm = norm_of(directions_.all().front());
         const double by = std::log(norm / before_);
@@ -89,7 +89,7 @@ public:
     [[nodiscard]] double megno() const { return mean_; }
 
 private:
-    /// By a power of two, so that nothing is rounded.
+    /// Scales by a power of two, so that nothing is rounded.
     void rescale(double norm) {
         std::vector<DirectionVector> all = directions_.all();
         const int exponent = std::ilogb(norm);
@@ -117,8 +117,8 @@ bool tell_largest(const TangentWishes& wishes, ProgressOfSteps progress) {
     return true;
 }
 
-/// All exponents, from directions that are made orthonormal after so many steps (G. Benettin et
-/// al., Meccanica 15, 1980, 9-30).
+/// Reports all exponents, from directions that are made orthonormal at regular steps (G. Benettin
+/// et al., Meccanica 15, 1980, 9-30).
 bool tell_spectrum(const TangentWishes& wishes, ProgressOfSteps progress) {
     constexpr std::int64_t between = 10;
     const std::size_t count = numbers_of(wishes);
@@ -138,8 +138,8 @@ bool tell_spectrum(const TangentWishes& wishes, ProgressOfSteps progress) {
     return true;
 }
 
-/// The smaller of |v + w| and |v - w| for two directions of norm 1 (Ch. Skokos, J. Phys. A 34,
-/// 2001, 10029-10043).
+/// Reports the smaller of |v + w| and |v - w| for two directions of norm 1 (Ch. Skokos, J. Phys. A
+/// 34, 2001, 10029-10043).
 bool tell_sali(const TangentWishes& wishes, ProgressOfSteps progress) {
     constexpr double golden = 0.6180339887498949, silver = 0.4142135623730951;
     const std::size_t numbers = numbers_of(wishes);
@@ -167,7 +167,8 @@ bool tell_sali(const TangentWishes& wishes, ProgressOfSteps progress) {
     return true;
 }
 
-/// The largest entry of D^T J D - J, over the square of the largest of D: 0 but for rounding.
+/// Returns the largest entry of D^T J D - J, over the square of the largest of D: 0 but for
+/// rounding.
 double symplecticity_error(const std::vector<DirectionVector>& columns) {
     const std::size_t n = columns.size() / 2;
     double largest = 1, error = 0;
@@ -183,19 +184,20 @@ double symplecticity_error(const std::vector<DirectionVector>& columns) {
     return error / (largest * largest);
 }
 
-/// Tells a square matrix row by row.
+/// Reports a square matrix row by row.
 void tell_rows(const char* name, const std::vector<DirectionVector>& columns) {
     for (std::size_t row = 0; row < columns.size(); ++row)
         for (const DirectionVector& column : columns) driver::say(name, column[row]);
 }
 
-/// Tells the derivatives of the time of an event, and row by row those of its state.
+/// Reports the derivatives of an event's time, and row by row the derivatives of its state.
 void tell_event(const EventDerivative& of) {
     for (const double entry : of.time) driver::say("event_time", entry);
     tell_rows("event_state", of.state);
 }
 
-/// The derivative of an event; in scaled time that of its time is a row of that of its state.
+/// Returns the derivative of an event. In scaled time the derivative of its time is a row of that
+/// of its state.
 std::optional<EventDerivative> derivative_of(const EventCrossing& crossing,
                                              const Directions& directions,
                                              const TangentWishes& wishes) {
@@ -209,7 +211,7 @@ std::optional<EventDerivative> derivative_of(const EventCrossing& crossing,
     return result;
 }
 
-/// Whether the surface of an event stays where it is as time goes on.
+/// Whether the surface of an event does not move with time.
 bool stays(const EventCrossing& crossing, const TangentWishes& wishes) {
     const std::vector<double>& by = crossing.by_state;
     return crossing.by_time == 0 && (!wishes.motion || by[by.size() / 2 - 1] == 0);

@@ -28,7 +28,7 @@ namespace {
 
 using State = DrivenStepper::State;
 
-/// The run, and what is written of it.
+/// A run, and its tables.
 class Trajectory {
 public:
     explicit Trajectory(const TrajectoryWishes& wishes)
@@ -50,7 +50,7 @@ public:
         });
     }
 
-    /// Says what became of it. False where a table could not be written.
+    /// Runs, and reports the outcome. Returns false where a table could not be written.
     [[nodiscard]] bool run() {
         if (wishes_.clock) course_.take_time_from([](const State& x) { return x.q.back(); });
         wishes_.resumed ? resume(*wishes_.resumed) : begin();
@@ -90,7 +90,7 @@ private:
         reductions_.begin(0, value_now());
     }
 
-    /// Looks at the place where the run ends, which with an event is within a step.
+    /// Takes the end of the run, which with an event lies within a step.
     void see_end() {
         const bool is_within = run_.ending == Ending::event || run_.ending == Ending::accumulation;
         if (is_within) invariants_.see(stepper_, x_);
@@ -107,7 +107,7 @@ private:
 
     // ---- checkpoints ----
 
-    /// Whether there are as many of everything. NOTE: the file may be by anybody.
+    /// Whether a checkpoint has the right sizes. NOTE: anybody may have made the file.
     [[nodiscard]] bool fits(const Checkpoint& from) const {
         const std::size_t events = counts_.size() + (wishes_.clock ? 1 : 0);
         return from.state.size() == x_.q.size() + x_.p.size() + x_.time.size() &&
@@ -154,8 +154,8 @@ private:
         return result;
     }
 
-    /// Writes a checkpoint, where they are wished for, and forgets what a run that goes on from it
-    /// does not know.
+    /// Writes a checkpoint, where they are wished for, and forgets what a resumed run would not
+    /// know.
     void save() {
         if (!wishes_.checkpoints || run_.ending != Ending::all_steps) return;
         saver_.save(here());
@@ -164,7 +164,7 @@ private:
 
     [[nodiscard]] std::int64_t taken() const { return run_.run.steps; }
 
-    /// To the next row of a table, where these are looked at alone.
+    /// Advances to the next row of a table, where only rows are observed.
     void advance() {
         std::int64_t ahead = wishes_.steps - taken();
         for (const Rows& table : tables_) ahead = std::min(ahead, table.ahead(taken()));
@@ -177,7 +177,7 @@ private:
         if (saver_.is_due(taken())) save();
     }
 
-    /// How many steps may be taken before one in which a time of output lies.
+    /// Returns the number of steps that may be taken before one that contains an output time.
     [[nodiscard]] std::int64_t to_output() const {
         constexpr double most = 1e6;  // so that it sees soon that it is to stop
         if (!course_.has_output()) return static_cast<std::int64_t>(most);
@@ -190,7 +190,7 @@ private:
         return wishes_.clock || !wishes_.events.events.empty() || to_output() == 0;
     }
 
-    /// Takes steps, one by one where each is looked at.
+    /// Takes steps, one by one where each is observed.
     void take(std::int64_t steps) {
         const std::int64_t before = taken(), at_once = reductions_.any() ? 1 : steps;
         while (taken() - before < steps && run_.ending == Ending::all_steps) {
@@ -210,7 +210,7 @@ private:
         run_.t = static_cast<double>(taken()) * wishes_.h;
     }
 
-    /// Takes a step in which there may be events or times of output.
+    /// Takes a step that may contain events or output times.
     void look_into_step() {
         const std::int64_t before = taken();
         course_.take(stepper_, x_, wishes_.h, static_cast<double>(before + 1) * wishes_.h, run_);
@@ -219,8 +219,8 @@ private:
         reductions_.see(run_.t, value_now());
     }
 
-    /// Looks at a step. NOTE: where invariants cost as much as a step does, they are computed only
-    /// if some are reduced.
+    /// Takes the values of a step. NOTE: where invariants cost as much as a step, they are computed
+    /// only if some are reduced.
     void reduce() {
         if (!reductions_.any()) return;
         const bool costs = wishes_.looks_at_rows && reductions_.any_from(count_of_variables());
@@ -229,7 +229,7 @@ private:
         reductions_.see(run_.t, [&](std::size_t number) { return value(x_, invariants, number); });
     }
 
-    /// Events that write themselves.
+    /// Returns events that write themselves to the table.
     [[nodiscard]] std::vector<Event<DrivenStepper>> events() {
         std::vector<Event<DrivenStepper>> result;
         for (const DrivenEvent& each : wishes_.events.events) {
@@ -251,7 +251,7 @@ private:
         return wishes_.clock && run_.ending == Ending::event && run_.event == counts_.size();
     }
 
-    /// The state without time and its momentum.
+    /// Returns the state without time and its momentum.
     [[nodiscard]] State seen(const State& x) const { return wishes_.clock ? without_clock(x) : x; }
 
     [[nodiscard]] bool are_good() const {
@@ -264,7 +264,7 @@ private:
         return x_.q.size() + x_.p.size() - 2 * hidden();
     }
 
-    /// A number of the columns. NOTE: time and its momentum are none of them.
+    /// Returns a value by its column number. NOTE: time and its momentum are no columns.
     [[nodiscard]] double value(const State& x, const std::vector<double>& invariants,
                                std::size_t number) const {
         const std::size_t n = x.q.size() - hidden(), end = count_of_variables();
@@ -282,7 +282,7 @@ private:
         samples_.see(taken(), value_now());
     }
 
-    /// Ten times a second.
+    /// Reports progress ten times a second.
     void tell_progress() {
         const auto now = std::chrono::steady_clock::now();
         if (now - last_word_ < std::chrono::milliseconds(100)) return;
@@ -293,7 +293,7 @@ private:
         driver::say("progress", std::clamp(part, 0.0, 1.0));
     }
 
-    /// Says the number of a variable that begins with no finite number, where that is why no step
+    /// Reports the number of a variable whose start is no finite number, where that is why no step
     /// is made.
     void tell_unfit() const {
         const State variables = seen(x_);
@@ -330,7 +330,7 @@ private:
     const TrajectoryWishes& wishes_;
     std::deque<Rows> tables_;
     std::optional<EventRows> event_rows_;
-    std::vector<std::int64_t> counts_;  ///< of events
+    std::vector<std::int64_t> counts_;  ///< numbers of events
     std::int64_t evaluations_ = 0;      ///< before it was resumed
     ColumnSamples samples_;
     DrivenStepper stepper_ = DrivenProblem::stepper();

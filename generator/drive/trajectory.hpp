@@ -1,4 +1,4 @@
-// A stepper's way from its initial data: tables of states, events, and what became of the
+// A trajectory of a stepper from its initial data: tables of states, events, and the departures of
 // invariants.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
@@ -23,12 +23,12 @@ namespace hvi::gen {
 /// A table of a run.
 struct TableWishes {
     std::int64_t every = 1;          ///< one row in so many steps, and the last
-    std::vector<ColumnBox> columns;  ///< behind the time: coordinates, momenta, invariants
+    std::vector<ColumnBox> columns;  ///< columns after the time: coordinates, momenta, invariants
     std::filesystem::path file;
-    std::vector<double> times = {};  ///< rows at these, where there are some, in place of `every`
+    std::vector<double> times = {};  ///< times of rows; they replace `every`
     TableFormat format = TableFormat::csv;
     TableNumbers numbers = TableNumbers::doubles;
-    std::vector<TableNote> notes = {};  ///< on the run
+    std::vector<TableNote> notes = {};  ///< notes on the run
     /// Kinds of the columns by their names without an index: `momentum`.
     std::map<std::string, std::string, std::less<>> meanings = {};
 };
@@ -46,10 +46,10 @@ struct EventWishes {
     }
 };
 
-/// When a run keeps what it can go on from, and where.
+/// The wishes for checkpoints of a run.
 struct CheckpointWishes {
-    std::filesystem::path file;  ///< to which they are added
-    std::string key;             ///< of the run
+    std::filesystem::path file;  ///< the file for them
+    std::string key;             ///< identifies the run
     std::int64_t every = 0;      ///< steps; 0 for none
     double minutes = 0;          ///< 0 for none
 };
@@ -57,18 +57,18 @@ struct CheckpointWishes {
 struct TrajectoryWishes {
     double h = 0;
     std::int64_t steps = 0;
-    bool looks_at_rows = false;       ///< at invariants, which cost as much as a step does
+    bool looks_at_rows = false;       ///< computes costly invariants at rows only
     std::vector<TableWishes> tables;  ///< at least one
     EventWishes events = {};
-    std::optional<ScaledClock> clock = {};  ///< then `steps` is only the most that are taken
+    std::optional<ScaledClock> clock = {};  ///< then `steps` is the most that are taken
     std::vector<Reduction> reductions = {};
     std::optional<CheckpointWishes> checkpoints = {};
-    std::vector<ColumnBox> analysed = {};    ///< columns whose frequencies are told
-    std::optional<Checkpoint> resumed = {};  ///< where it begins; tables are there, as far as it
+    std::vector<ColumnBox> analysed = {};    ///< columns whose frequencies are reported
+    std::optional<Checkpoint> resumed = {};  ///< the start; its tables exist so far
 };
 
-/// Takes the steps of DrivenProblem, and says what became of it. The status of its end is 0 also
-/// where a step failed, 3 where a file cannot be written.
+/// Takes the steps of DrivenProblem, and reports the outcome. Returns the exit status 0 also where
+/// a step failed, and 3 where a file cannot be written.
 [[nodiscard]] int take_trajectory(const TrajectoryWishes& wishes);
 
 }  // namespace hvi::gen

@@ -15,7 +15,7 @@ double HanningWindow::weight(std::size_t k) const {
 
 namespace {
 
-/// The sum of cos(f tau) over n times, sin(n f/2)/sin(f/2), and its derivative by f.
+/// Returns the sum of cos(f tau) over n times, sin(n f/2)/sin(f/2), and its derivative by f.
 double kernel(double n, double f) {
     const double below = std::sin(f / 2);
     return below == 0 ? n : std::sin(n * f / 2) / below;
@@ -27,7 +27,7 @@ double kernel_slope(double n, double f) {
     return (n * std::cos(n * f / 2) - std::sin(n * f / 2) * std::cos(f / 2) / below) / (2 * below);
 }
 
-/// The kernel of the weights, from that of equal weights.
+/// Returns the kernel of the weights, from the kernel of equal weights.
 template <class Kernel>
 double under_window(double n, double f, Kernel of) {
     const double shift = 2 * std::numbers::pi / n;

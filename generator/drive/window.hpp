@@ -12,7 +12,7 @@ namespace hvi::gen {
 
 /// Calls see(k, c, s) with the cosine and sine of frequency (first + k), for k from 0 on.
 ///
-/// NOTE: turns from one to the next gather rounding, so each block begins anew. The product of a
+/// NOTE: repeated turns accumulate rounding errors, so each block begins anew. The product of a
 /// frequency and a time needs more digits than a double has, since only its remainder counts.
 template <class See>
 void for_each_turn(double frequency, double first, std::size_t count, See see) {
@@ -39,13 +39,13 @@ public:
     explicit HanningWindow(std::size_t count);
 
     [[nodiscard]] std::size_t count() const { return count_; }
-    /// The time of a sample.
+    /// Returns the time of a sample.
     [[nodiscard]] double time(std::size_t k) const {
         return static_cast<double>(k) - static_cast<double>(count_ - 1) / 2;
     }
     [[nodiscard]] double weight(std::size_t k) const;
 
-    /// The sum of the weights times cos(frequency tau), and its derivative.
+    /// Returns the sum of the weights times cos(frequency tau), and its derivative.
     [[nodiscard]] double transform(double frequency) const;
     [[nodiscard]] double transform_slope(double frequency) const;
 
@@ -53,7 +53,7 @@ private:
     std::size_t count_;
 };
 
-/// A function to be compared with cosines and sines.
+/// A function that is projected onto cosines and sines.
 class WindowedSamples {
 public:
     WindowedSamples(const HanningWindow& window, std::span<const double> values);
@@ -66,7 +66,7 @@ public:
 
 private:
     double first_;                    ///< time of the first of the pairs
-    std::vector<double> even_, odd_;  ///< parts under the window, of times above 0
+    std::vector<double> even_, odd_;  ///< parts under the window, at times above 0
 };
 
 }  // namespace hvi::gen

@@ -18,17 +18,17 @@ constexpr double chain_step = 1.0 / 32;  // h; omega = z/h is then exact
 constexpr long chain_steps = 256;
 constexpr std::size_t springs = 3;
 
-/// Soft springs have the energy xi^4/4 where xi is what they are longer. Where omega > 9.6 the
-/// energy at the start is at most 2.04; while that of a soft spring is not above twice this, |xi|
-/// <= 2.01, and forces of two of them on a stiff spring are at most 2 |xi|^3 < 17. As each x and d
-/// is an end of two soft springs, which depend on four coordinates, these add at most 2 4 3 xi^2 <
-/// 98 to the squares of frequencies.
+/// Bounds for omega > 9.6. Soft springs have the energy xi^4/4, where xi is their elongation. The
+/// energy at the start is at most 2.04; while the energy of a soft spring is at most twice this,
+/// |xi| <= 2.01, and the forces of two of them on a stiff spring are at most 2 |xi|^3 < 17. As each
+/// x and d is an end of two soft springs, which depend on four coordinates, these add at most 2 4 3
+/// xi^2 < 98 to the squares of frequencies.
 constexpr double most_force = 17, most_added = 98;
 
-/// The same where omega < 9.6: the energy is at most 5.5, then |xi| <= 2.17.
+/// A bound of this addition for omega < 9.6: the energy is at most 5.5, then |xi| <= 2.17.
 constexpr double most_soft = 114;
 
-/// Up to here the stiff springs are resolved as well as the soft ones.
+/// The largest z at which steps resolve the stiff springs as well as the soft ones.
 constexpr double resolved_until = 0.3;
 
 /// One run, from omega d = p = 1 in the first stiff spring, or d = 1 where that is less.
@@ -59,18 +59,18 @@ Motion motion(const EdgeProgram& program, double z) {
 enum class FateOfChain {
     resolved,  ///< the energy is nearly conserved
     bounded,   ///< the stiff springs stay within a bound
-    growing,   ///< they do not
-    either,    ///< the theory does not tell
+    growing,   ///< the stiff springs leave every bound
+    either,    ///< the theory does not decide
     refused,   ///< fixed points do not contract
 };
 
 struct Expected {
     FateOfChain fate;
     bool may_stop;   ///< fixed points contract little
-    double measure;  ///< the bound, or what they grow to
+    double measure;  ///< the bound, or the size that is reached
 };
 
-/// h times a frequency, whose square is omega^2 and this.
+/// Returns h times a frequency whose square is omega^2 + added.
 double with(double added, double z) { return std::sqrt(z * z + added * chain_step * chain_step); }
 
 /// Whether there is a pole or an end of an interval of stability from z = low to high.
@@ -85,14 +85,16 @@ bool changes(const LinearStability& stability, double low, double high) {
            });
 }
 
-/// Of methods of order one the modified H differs from H by no more than h omega H/2.
+/// Expects the energy to be kept. For methods of order one the modified H differs from H by at most
+/// h omega H/2.
 Expected by_energy(const KnownOscillator& known, double z) {
     const double fastest = with(most_soft, z);
     if (changes(known.stability, 0, fastest)) return {FateOfChain::either, true, 0};
     return {FateOfChain::resolved, false, fastest};
 }
 
-/// Of the stiff springs, alone and with what the soft ones may add.
+/// Expects the fate of the stiff springs by the linear map, alone and with the possible addition of
+/// the soft ones.
 Expected by_map(const KnownOscillator& known, double z) {
     const Oscillation alone = oscillation(known, z),
                       half = oscillation(known, with(most_added / 2, z)),
@@ -105,13 +107,13 @@ Expected by_map(const KnownOscillator& known, double z) {
         return {FateOfChain::bounded, false, alone.bound * (std::sqrt(2.0) + pushed)};
     }
     // NOTE: half of the digits, as for the oscillator; and up to d = 0.1, where the soft springs
-    // are still as they were.
+    // have not changed yet.
     const double rate = std::min({alone.growth, half.growth, all.growth});
     const double digits = std::min(20.0, static_cast<double>(chain_steps) * rate / 2);
     return {FateOfChain::growing, true, std::min(std::pow(10, digits), 0.1 * z / chain_step)};
 }
 
-/// NOTE: wider than for the oscillator, where the contraction is the same in every step.
+/// NOTE: bounds are wider than for the oscillator, whose contraction is equal in every step.
 Expected expected(const KnownOscillator& known, const Form& form, double z) {
     Expected result = z <= resolved_until ? by_energy(known, z) : by_map(known, z);
     if (form.solver != Solver::fixed_point) return result;
@@ -150,7 +152,7 @@ std::string text(const Motion& seen) {
                        seen.largest, seen.energy_error);
 }
 
-/// How many points are expected to be what.
+/// Returns the number of points with each expected fate.
 std::string text(std::map<FateOfChain, int> tally) {
     return fmt::format("H kept at {}, bounded at {}, growing or stopped at {}, either at {}{}",
                        tally[FateOfChain::resolved], tally[FateOfChain::bounded],

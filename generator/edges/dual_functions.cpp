@@ -22,7 +22,7 @@ void rename_own_calls(Expression& expression) {
     for (Expression& argument : expression.arguments) rename_own_calls(argument);
 }
 
-/// `x1, x2`, each with something before it and behind.
+/// Returns `x1, x2`, each with something before it and behind.
 std::string arguments(std::size_t count, std::string_view before, std::string_view behind) {
     std::string text;
     for (std::size_t k = 1; k <= count; ++k)
@@ -30,7 +30,7 @@ std::string arguments(std::size_t count, std::string_view before, std::string_vi
     return text;
 }
 
-/// f of dual numbers is f(x) + sum_k f_k(x) dx_k.
+/// Writes f of dual numbers: f(x) + sum_k f_k(x) dx_k.
 void write_function(Writer& writer, const OwnFunction& function, const std::string& name,
                     bool has_slopes) {
     const std::string values = arguments(function.arguments, "", ".value");
@@ -46,8 +46,9 @@ void write_function(Writer& writer, const OwnFunction& function, const std::stri
     writer.line("return {};", sum).close();
 }
 
-/// NOTE: second derivatives are constants here. They stand in the matrices of Newton's method, with
-/// which derivatives of its solutions converge whatever those of the matrices are; see dual.hpp.
+/// NOTE: second derivatives are constants here. They stand in the matrices of Newton's method only.
+/// Derivatives of its solutions converge whatever the derivatives of these matrices are; see
+/// dual.hpp.
 void write_functions(Writer& writer, const OwnFunction& function) {
     write_function(writer, function, function.name, true);
     for (std::size_t i = 0; i < function.arguments; ++i)

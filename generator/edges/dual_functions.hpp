@@ -1,4 +1,4 @@
-// Functions of the user's own in dual numbers.
+// The user's own functions in dual numbers.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -6,8 +6,8 @@
 
 namespace hvi::gen {
 
-/// The scene with functions that take dual numbers in place of its own: made of the derivatives
-/// that the user's headers define.
+/// Returns the scene with functions that take dual numbers in place of its own. They are made of
+/// the derivatives that the user's headers define.
 [[nodiscard]] Scene with_dual_functions(Scene scene);
 
 }  // namespace hvi::gen

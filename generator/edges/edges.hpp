@@ -1,4 +1,5 @@
-// What methods do at the edges, stiff, extreme or many steps, beside what they should do.
+// Edge cases: methods with stiff problems, extreme orbits or many steps, beside their expected
+// results.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -12,7 +13,7 @@
 
 namespace hvi::gen {
 
-/// One case. What is expected never comes from a run.
+/// One case. Its expected result never comes from a run.
 struct EdgeCheck {
     std::string method, scene;
     std::string what;  ///< the case: `h = 1e300`
@@ -23,22 +24,22 @@ struct EdgeCheck {
 struct EdgeChapter {
     std::string name;   ///< one word, for programs
     std::string title;  ///< for people
-    std::string about;  ///< what is expected, and where that comes from: sentences
+    std::string about;  ///< sentences: the expected results, and their source
     std::vector<EdgeCheck> checks;
     std::vector<CurvesPicture> pictures;
 };
 
-/// The chapters of a report. They compile and run programs, each under a time limit, and say on
-/// standard error what they are at, where that is a terminal. All throw what scene_stepper() and
-/// a Build do, and Interruption.
+/// The chapters of a report. They compile and run programs, each under a time limit, and report
+/// progress on standard error, where that is a terminal. All throw as scene_stepper() and a Build
+/// do, and Interruption.
 ///
-/// Precondition: the scenes have initial data and say their step.
+/// Precondition: the scenes have initial data and a step.
 [[nodiscard]] EdgeChapter rejections(Builds& builds, const std::vector<ExactMethod>& methods,
                                      const std::vector<Scene>& scenes);
 [[nodiscard]] EdgeChapter symplecticity(Builds& builds, const std::vector<ExactMethod>& methods,
                                         const std::vector<Scene>& scenes);
 
-/// The same on scenes of their own.
+/// Chapters on scenes of their own. They throw as above.
 [[nodiscard]] EdgeChapter stiff(Builds& builds, const std::vector<ExactMethod>& methods);
 [[nodiscard]] EdgeChapter chain(Builds& builds, const std::vector<ExactMethod>& methods);
 [[nodiscard]] EdgeChapter extreme(Builds& builds, const std::vector<ExactMethod>& methods);

@@ -8,7 +8,7 @@ namespace hvi::gen {
 
 namespace {
 
-/// The start of run i, a little away from that of the scene.
+/// Returns the start of run i, a little away from the scene's start.
 std::vector<double> moved(std::vector<double> start, std::size_t i) {
     for (double& x : start) x *= 1 + 0.01 * static_cast<double>(i);
     return start;

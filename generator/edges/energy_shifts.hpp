@@ -1,4 +1,4 @@
-// How the mean energy moves over a long run.
+// Shifts of the mean energy over a long run.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -19,19 +19,19 @@ struct LongRun {
 };
 
 struct EnergyShifts {
-    /// Of windows of n/2 to n steps, n and the root of the mean square, over the runs, of the
-    /// change of the mean energy from the first half to the second.
+    /// Pairs of n and a root mean square, for windows of n/2 to n steps. The mean over the runs is
+    /// of the change of the mean energy from a window's first half to its second.
     std::vector<std::pair<double, double>> of_windows;
-    std::string failure;  ///< why there are none; else empty
+    std::string failure;  ///< why there are no windows; else empty
 };
 
-/// The command of src/driver/edge_energy.hpp: `energy` or `forgetful-energy`. The runs go side by
-/// side. Throws as ask() does.
+/// Runs the command `energy` or `forgetful-energy` of src/driver/edge_energy.hpp. The runs go side
+/// by side. Throws as ask() does.
 [[nodiscard]] EnergyShifts energy_shifts(const EdgeProgram& program, const std::string& command,
                                          const LongRun& run,
                                          const std::vector<double>& values = {});
 
-/// Without what was not there at all.
+/// Returns the windows whose shift is not 0.
 [[nodiscard]] std::vector<std::pair<double, double>> above_zero(const EnergyShifts& shifts);
 
 }  // namespace hvi::gen

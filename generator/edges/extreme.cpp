@@ -1,4 +1,4 @@
-// Orbits that are extreme: eccentric, of extreme size, with extreme masses, and in collision.
+// Extreme orbits: eccentric, of extreme size, with extreme masses, and in collision.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/edges/extreme.hpp"
 

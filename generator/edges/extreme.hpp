@@ -12,41 +12,41 @@
 
 namespace hvi::gen {
 
-/// A method, what is known of it beforehand, and its programs.
+/// A method, the known facts about it, and its programs.
 struct ExtremeMethod {
     std::string name;
     std::size_t parts = 1;  ///< steps of one method in a row that make a step
     KnownOrder order;
     EdgeProgram kepler;
-    std::vector<std::vector<Form>> scaled;  ///< of each of the scaled scenes, if stepped
+    std::vector<std::vector<Form>> scaled;  ///< forms for each of the scaled scenes, if stepped
     EdgeProgram two_bodies, three_bodies;
 };
 
-/// All throw what EdgeProgram() does.
+/// Make programs. All throw as EdgeProgram() does.
 [[nodiscard]] EdgeProgram kepler_program(Builds& builds, const ComposedMethod& method);
 [[nodiscard]] std::vector<std::vector<Form>> scaled_forms(Builds& builds,
                                                           const ExactMethod& method);
 [[nodiscard]] EdgeProgram two_bodies_program(Builds& builds, const ComposedMethod& method);
 [[nodiscard]] EdgeProgram three_bodies_program(Builds& builds, const ComposedMethod& method);
 
-/// These add their cases for one method, and curves to pictures of the chapter. All throw what
+/// Add the cases of one method, and curves to pictures of the chapter. All throw as
 /// EdgeProgram::ask() does.
 void add_kepler(const ExtremeMethod& method, EdgeChapter& chapter);
 void add_scaled(const ExtremeMethod& method, EdgeChapter& chapter);
 void add_bodies(const ExtremeMethod& method, EdgeChapter& chapter);
 
-/// The scene in a text as files have it.
+/// Returns the scene in a text of a scene file.
 [[nodiscard]] Scene scene_of(const std::string& text);
 
-/// Whether the end is ok and finite, or a status and every bit of the state as it was before the
-/// step.
+/// Whether the end is ok and finite, or has a status and the state before the step in every bit.
 [[nodiscard]] bool is_whole(const Heard& heard);
 inline constexpr const char* ends_well = "ok and finite, or a status and the state untouched";
 
-/// What became of the steps, in a few words.
+/// Returns the outcome of the steps in a few words.
 [[nodiscard]] std::string end_text(const Heard& heard);
 
-/// The curve of this method in the picture with this title, which is added where there is none.
+/// Returns the curve of this method in the picture with this title. Adds the picture where there is
+/// none.
 CurvesPicture::Curve& curve_of(const ExtremeMethod& method, EdgeChapter& chapter,
                                const CurvesPicture& picture);
 

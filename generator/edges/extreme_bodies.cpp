@@ -1,4 +1,4 @@
-// Two bodies of very different masses, and three that meet.
+// Two bodies of very different masses, and a meeting of three.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <fmt/format.h>
 
@@ -32,8 +32,8 @@ px2 = 0
 py2 = 0
 )toml";
 
-/// Burrau's problem: at rest at the corners of a triangle with sides 3, 4, 5, each opposite to the
-/// side of its mass.
+/// Burrau's problem: bodies at rest at the corners of a triangle with sides 3, 4, 5, each opposite
+/// to the side of its mass.
 constexpr const char* three_bodies = R"toml(name = "pythagorean"
 coordinates = ["x1", "y1", "x2", "y2", "x3", "y3"]
 momenta = ["px1", "py1", "px2", "py2", "px3", "py3"]
@@ -60,10 +60,10 @@ double largest(std::vector<double>::const_iterator from, std::size_t n) {
     return *std::max_element(from, from + static_cast<std::ptrdiff_t>(n));
 }
 
-/// How far the total momentum and the total angular momentum, both 0 or `angular` at the start, are
-/// off, in units of eps times the largest numbers, for each step of a method of `parts`. Both are
-/// at most 8 by rounding: a sum of n products of numbers each of which a step leaves with an error
-/// of a few eps/2.
+/// Errors of the total momentum and of the total angular momentum, which are 0 and `angular` at the
+/// start. Their unit is eps times the largest numbers, for each step of a method of `parts`.
+/// Rounding makes both at most 8: they are sums of n products of numbers, each of which has an
+/// error of a few eps/2 after a step.
 struct Momenta {
     double total, angular;
 
@@ -94,12 +94,12 @@ Momenta momenta(const Heard& heard, std::size_t parts, double angular) {
 
 constexpr const char* conserved = "momenta off by at most 8 eps a step";
 
-/// The passage of the light body with the other's mass 1 - m: together they have 1. The product of
-/// the masses takes the place of G: see the scene.
+/// The passage of two bodies with the masses m and 1 - m. The product of the masses takes the place
+/// of G: see the scene.
 struct Pair {
     double heavy, light;
 
-    /// Both around their centre of mass, which is at rest.
+    /// Returns the state of both around their centre of mass, which is at rest.
     [[nodiscard]] std::vector<double> state(const std::vector<double>& r) const {
         const double m = heavy * light;
         return {-light * r[0], -light * r[1], heavy * r[0], heavy * r[1],

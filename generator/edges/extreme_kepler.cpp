@@ -24,7 +24,7 @@ void add_passage(const ExtremeMethod& method, const EdgeProgram& program, double
     chapter.checks.push_back(order_check(method.name, method.order, kepler_scene,
                                          fmt::format("e = {}: past the pericentre", e),
                                          refinement));
-    if (e != most_eccentric) return;  // in these units the others look alike
+    if (e != most_eccentric) return;  // the others look alike in these units
     CurvesPicture::Curve& curve =
         curve_of(method, chapter,
                  {fmt::format("Past the pericentre, e = {}", e), "steps", "error", true, true, {}});
@@ -32,8 +32,8 @@ void add_passage(const ExtremeMethod& method, const EdgeProgram& program, double
         if (point.second > 0) curve.points.push_back(point);
 }
 
-/// From the apocentre once around, in steps of which all but the largest numbers do not resolve
-/// the pericentre.
+/// Adds runs from the apocentre once around. Only the largest numbers of steps resolve the
+/// pericentre.
 void add_orbit(const ExtremeMethod& method, const EdgeProgram& program, double e,
                EdgeChapter& chapter) {
     const std::vector<double> apocentre{-(1 + e), 0, 0, -std::sqrt((1 - e) / (1 + e))};
@@ -65,7 +65,8 @@ void add_orbit(const ExtremeMethod& method, const EdgeProgram& program, double e
          ok + stopped == all});
 }
 
-/// From rest at (1, 0). By symmetry no method leaves the axis, and 0 times a finite number is 0.
+/// Adds a fall from rest at (1, 0). By symmetry no method leaves the axis, and 0 times a finite
+/// number is 0.
 void add_fall(const ExtremeMethod& method, const EdgeProgram& program, double h, double mu,
               const std::string& what, EdgeChapter& chapter) {
     const Heard heard = program.ask("advance", h, 1000, {1, 0, 0, 0}, {mu, 0});
@@ -93,7 +94,7 @@ void add_kepler(const ExtremeMethod& method, EdgeChapter& chapter) {
         add_orbit(method, program, e, chapter);
     }
     add_fall(method, program, 0.0078125, 1, "a fall from rest, steps of 0.0078125", chapter);
-    // The first step of Stormer-Verlet ends in the centre: 1 - h^2 mu/2 = 0.
+    // NOTE: the first step of Stormer-Verlet ends in the centre: 1 - h^2 mu/2 = 0.
     add_fall(method, program, 1, 2, "a fall from rest, a step of 1 with mu = 2", chapter);
 }
 

@@ -11,11 +11,11 @@ namespace hvi::gen {
 
 namespace {
 
-/// The parameter `scale` is the first one.
+/// A scene whose first parameter is `scale`.
 struct ScaledScene {
     std::string text;
     std::vector<double> start;
-    bool in_all_forms;  ///< else as is, alone
+    bool in_all_forms;  ///< else in the form without wishes only
 };
 
 const std::vector<ScaledScene>& scaled_scenes() {
@@ -60,7 +60,7 @@ p = 1
     return scenes;
 }
 
-/// Whether they end alike, bit for bit.
+/// Checks that the runs with and without a scale end alike, bit for bit.
 EdgeCheck check(const std::string& method, const std::string& scene, const Form& form,
                 const std::vector<double>& start, int exponent) {
     constexpr double h = 0.0625;
@@ -101,7 +101,7 @@ std::vector<std::vector<Form>> scaled_forms(Builds& builds, const ExactMethod& m
 }
 
 // NOTE: 2^498 is 8.2e149. The scale and the step are powers of two, so that no product is rounded
-// otherwise than without them; and 2^900 shows squares of them, which are out of range.
+// differently with them. The scale 2^900 shows squares of such numbers, which are out of range.
 void add_scaled(const ExtremeMethod& method, EdgeChapter& chapter) {
     auto forms = method.scaled.begin();
     for (const ScaledScene& scaled : scaled_scenes()) {

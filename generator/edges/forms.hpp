@@ -1,4 +1,4 @@
-// The steppers of one method that solve its stages in different ways.
+// Forms of a method: steppers that solve its stages in different ways.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -15,8 +15,8 @@ struct Form {
     EdgeProgram program;
 };
 
-/// As it is without wishes, iterated with fixed points, and with Newton's method. Where there is
-/// nothing to solve they are one. Throws what EdgeProgram() does.
+/// Returns the stepper without wishes, one iterated with fixed points, and one with Newton's
+/// method. Explicit steppers have one form. Throws as EdgeProgram() does.
 [[nodiscard]] std::vector<Form> forms(Builds& builds, const ComposedMethod& method,
                                       const Scene& scene);
 

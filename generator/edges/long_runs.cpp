@@ -1,4 +1,4 @@
-// Whether the energy drifts over very many steps.
+// Checks that the energy does not drift over very many steps.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <fmt/format.h>
 
@@ -16,7 +16,7 @@ namespace {
 constexpr double most = 0.75;  // between 1/2 of a random walk and 1 of a drift
 constexpr std::size_t fewest_windows = 7;
 
-/// A stepper over one kind of run.
+/// A stepper with its run.
 struct Runner {
     std::string method;
     LongRun run;
@@ -24,7 +24,7 @@ struct Runner {
     EdgeProgram program;
 };
 
-/// The slope of log y over log x in the longer two thirds of the windows, by least squares.
+/// Returns the slope of log y over log x in the longer two thirds of the windows, by least squares.
 double exponent(const std::vector<std::pair<double, double>>& all) {
     double x = 0, y = 0, xx = 0, xy = 0;
     const std::size_t first = all.size() / 3;
@@ -67,12 +67,12 @@ CurvesPicture picture(const std::string& title) {
     return {title, "steps n", "change of the mean energy", true, true, {}};
 }
 
-// ---- what it would be without ----
+// ---- results without compensation and without corrections ----
 
 constexpr const char* compared_scene = "kepler";
 
-/// The method with the most stages to solve for that is no composition, and a stepper as one would
-/// write it first.
+/// The method with the most implicit stages that is no composition, and a naive stepper, written as
+/// one would first write it.
 struct Comparison {
     std::string method;
     Tableau tableau;
@@ -93,9 +93,9 @@ EdgeCheck compared(const Comparison& comparison, const LongRun& run, const std::
     return check;
 }
 
-/// NOTE: where rounding each entry keeps b_i a~_ij + b_j a_ji = b_i b_j there is nothing to lose by
-/// it, and nothing is compared. And where h and h b_i have few digits, as 1/20 and 1/40, rounded
-/// products with them are biased themselves.
+/// NOTE: where rounding each entry keeps b_i a~_ij + b_j a_ji = b_i b_j, rounding does no harm, and
+/// nothing is compared. Where h and h b_i have few digits, as for 1/20 and 1/40, rounded products
+/// with them are biased themselves.
 void compare(const Comparison& comparison, EdgeChapter& chapter) {
     const LongRun run{compared_scene, 1L << 19, 0.0469, 4};
     const RoundedTableau rounded = rounded_entries(comparison.tableau);
@@ -132,7 +132,8 @@ std::optional<Comparison> comparison(Builds& builds, const std::vector<ExactMeth
     return best;
 }
 
-/// With about as many parts of steps as steps were asked for. NOTE: windows are powers of two.
+/// Shortens a run of a method of several parts to about as many parts as steps were asked for.
+/// NOTE: windows are powers of two.
 LongRun shorter(LongRun run, std::size_t parts) {
     for (; parts > 1; parts = (parts + 1) / 2) run.steps /= 2;
     return run;

@@ -1,4 +1,4 @@
-// Every method of a chapter on every scene of it.
+// Cases for every method of a chapter on every scene of it.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -18,8 +18,8 @@ struct MethodOnScene {
 
 using ProgramOf = std::function<EdgeProgram(const ExactMethod&, const Scene&)>;
 
-/// Makes all programs, then adds the cases of each to the chapter, and says on standard error what
-/// it is at. Where the general Galerkin form does not step an H, the case is why not.
+/// Makes all programs, then adds their cases to the chapter, and reports progress on standard
+/// error. For an H that the general Galerkin form does not step, the case says why.
 void add_cases(EdgeChapter& chapter, const std::vector<ExactMethod>& methods,
                const std::vector<Scene>& scenes, const ProgramOf& program,
                const std::function<std::vector<EdgeCheck>(const MethodOnScene&)>& cases);

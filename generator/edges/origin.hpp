@@ -1,4 +1,4 @@
-// What the motion of a scene is at q = p = 0.
+// The motion of a scene at q = p = 0.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -9,12 +9,12 @@ namespace hvi::gen {
 enum class Origin {
     rest,      ///< dH/dq and dH/dp are zero
     singular,  ///< one of them is no number: a collision; or a matrix of zeros is no rotation
-    other,     ///< neither, or it is not known
+    other,     ///< neither of these, or not known
 };
 
-/// By the exact derivatives of H, in enclosures; of an H that depends on time, at t = 0; not known
-/// where the scene has a Lagrangian or functions of the user's own. Throws as gradient() and
-/// parameter_values() do.
+/// Decides by the exact derivatives of H, in enclosures. An H that depends on time is taken at t =
+/// 0. Scenes with a Lagrangian or with functions of the user's own are not decided. Throws as
+/// gradient() and parameter_values() do.
 [[nodiscard]] Origin origin_of(const Scene& scene);
 
 }  // namespace hvi::gen

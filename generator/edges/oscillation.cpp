@@ -27,7 +27,7 @@ bool in_intervals(const LinearStability& stability, const Number& z) {
     });
 }
 
-/// Of Frobenius.
+/// Returns the Frobenius norm.
 double norm(const OscillatorMap& map, const Number& z) {
     const Number D = at(map.D, z);
     double sum = 0;
@@ -64,7 +64,7 @@ double largest(const Matrix& A) {
     return result;
 }
 
-/// y with M^T y = w, by Gauss' elimination.
+/// Solves M^T y = w by Gauss' elimination.
 std::vector<double> solved_transposed(const Matrix& M, std::vector<double> w) {
     const std::size_t n = w.size();
     Matrix rows(n, std::vector<double>(n));
@@ -94,10 +94,10 @@ double sum_of_sizes(const std::vector<double>& row) {
                            [](double sum, double entry) { return sum + std::abs(entry); });
 }
 
-/// The spectral radius of A A~.
+/// Returns the spectral radius of A A~.
 double contraction(const PartitionedMethod& method) {
     Matrix M = product(rounded(method.A), rounded(method.A_tilde));
-    // Gelfand: |M^n|^(1/n), for n = 2^12.
+    // By Gelfand's formula: |M^n|^(1/n), for n = 2^12.
     double logarithm = 0, weight = 1;
     for (int k = 0; k <= 12; ++k) {
         const double size = largest(M);
@@ -111,7 +111,7 @@ double contraction(const PartitionedMethod& method) {
     return std::exp(logarithm);
 }
 
-/// The largest |gamma|.
+/// Returns the largest |gamma|.
 double largest_part(const std::optional<Composition>& composition) {
     if (!composition) return 1;
     double result = 0;
@@ -132,7 +132,7 @@ KnownOscillator known_of(const GalerkinRule& rule) {
 
 }  // namespace
 
-// NOTE: A A~ of the adjoint is similar to the transpose of that of the method.
+// NOTE: A A~ of the adjoint is similar to the transpose of the method's A A~.
 KnownOscillator known_oscillator(const ExactMethod& method) {
     KnownOscillator known =
         std::visit([](const auto& derived) { return known_of(derived); }, method.base);
@@ -147,9 +147,9 @@ KnownOscillator known_oscillator(const ExactMethod& method) {
     return known;
 }
 
-// With determinant 1, R^n = U_(n-1)(t) R - U_(n-2)(t) where t is half the trace and U are the
-// polynomials of Chebyshev of the second kind: |U| <= 1/sqrt(1 - t^2) where |t| < 1. Where |t| > 1
-// the larger eigenvalue is |t| + sqrt(t^2 - 1).
+// For determinant 1, R^n = U_(n-1)(t) R - U_(n-2)(t), where t is half the trace and U are the
+// Chebyshev polynomials of the second kind: |U| <= 1/sqrt(1 - t^2) where |t| < 1. Where |t| > 1 the
+// larger eigenvalue is |t| + sqrt(t^2 - 1).
 Oscillation oscillation(const KnownOscillator& known, double z) {
     const Number argument = exact_number(z);
     const OscillatorMap& map = known.map;
@@ -166,8 +166,8 @@ Oscillation oscillation(const KnownOscillator& known, double z) {
     return result;
 }
 
-// With stages Y = 1 omega q + z A P and P = 1 p - z A~ Y + h A~ g, forces g add z b^T A~ K h g to
-// omega q and b~^T K h g to p, where K is the inverse of 1 + z^2 A A~.
+// Stages are Y = 1 omega q + z A P and P = 1 p - z A~ Y + h A~ g. Forces g then add z b^T A~ K h g
+// to omega q and b~^T K h g to p, where K is the inverse of 1 + z^2 A A~.
 double response(const PartitionedMethod& method, double z) {
     const Matrix A_tilde = rounded(method.A_tilde);
     Matrix M = product(rounded(method.A), A_tilde);

@@ -1,4 +1,4 @@
-// What the exact map of the harmonic oscillator says of the orbits of a method.
+// Orbits of a method by the exact map of the harmonic oscillator.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -9,20 +9,21 @@
 
 namespace hvi::gen {
 
-/// What is known of a method on the oscillator beforehand, by its exact coefficients.
+/// Facts about a method on the oscillator, computed from its exact coefficients.
 struct KnownOscillator {
     std::string method;
     OscillatorMap map;
     LinearStability stability;
     PartitionedMethod stages;
-    /// A fixed-point iteration for positions multiplies errors by z^2 times this: the spectral
-    /// radius of A A~. Of a composition, whose steps are iterated one by one, that of the largest.
+    /// The factor by which fixed-point iteration for positions multiplies errors, divided by z^2:
+    /// the spectral radius of A A~. A composition's steps are iterated one by one, so it has the
+    /// factor of its largest step.
     double contraction = 0;
 };
 
 [[nodiscard]] KnownOscillator known_oscillator(const ExactMethod& method);
 
-/// At one z = h omega.
+/// The behaviour at one z = h omega.
 struct Oscillation {
     bool is_stable = false;
     /// An upper bound of |R^n|, for all n, where R is the map of (omega q, p); infinite if not
@@ -32,13 +33,12 @@ struct Oscillation {
     double growth = 0;
 };
 
-/// Below known.stability.until by its intervals, and beyond by half the trace exactly at this z.
-/// Precondition: z > 0 is no pole.
+/// Decides by the stable intervals below known.stability.until, and beyond by half the trace
+/// exactly at this z. Precondition: z > 0 is no pole.
 [[nodiscard]] Oscillation oscillation(const KnownOscillator& known, double z);
 
-/// How much of a force on the oscillator reaches (omega q, p) in a step: where the stages meet
-/// forces of at most G, they move it by at most h G times this from where R leaves it.
-/// Precondition: z is no pole.
+/// Returns the response of (omega q, p) to a force in a step: forces of at most G in the stages
+/// change the result of R by at most h G times this. Precondition: z is no pole.
 [[nodiscard]] double response(const PartitionedMethod& method, double z);
 
 }  // namespace hvi::gen

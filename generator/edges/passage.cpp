@@ -14,7 +14,7 @@ namespace hvi::gen {
 
 namespace {
 
-/// E - sin E, by its series: without cancellation. Precondition: |E| is at most 2 or so.
+/// Returns E - sin E by its series, without cancellation. Precondition: |E| is at most about 2.
 double without_sine(double E) {
     double term = E * E * E / 6, sum = 0;
     for (int k = 4; sum + term != sum; k += 2) {
@@ -26,7 +26,8 @@ double without_sine(double E) {
 
 }  // namespace
 
-// Kepler's equation, 2 (E - e sin E), where tan(E/2) = sqrt((1 - e)/(1 + e)) tan(pi/4).
+// The time is by Kepler's equation 2 (E - e sin E), where tan(E/2) = sqrt((1 - e)/(1 + e))
+// tan(pi/4).
 Passage::Passage(double e) : e_(e), l_((1 - e) * (1 + e)) {
     const double E = 2 * std::atan(std::sqrt((1 - e) / (1 + e)));
     time_ = 2 * ((1 - e) * E + e * without_sine(E));
@@ -63,7 +64,7 @@ Refinement refined(const Passage& passage, const EdgeProgram& program, std::size
                                         steps, start, values);
         result.failure = heard.failure;
         const bool ok = result.failure.empty() && heard.answers.text("status") == "ok";
-        if (result.failure.empty() && !ok && result.errors.empty()) continue;  // too large steps
+        if (result.failure.empty() && !ok && result.errors.empty()) continue;  // steps too large
         if (result.failure.empty() && !ok)
             result.failure = fmt::format("{} steps: {}", steps, heard.answers.text("status"));
         if (!result.failure.empty()) return result;
@@ -95,7 +96,8 @@ KnownOrder known_order(const ExactMethod& method) {
     return {composed_order(found.order, method.composition), found.is_at_least};
 }
 
-// Between the last two that are clear of round-off, as the other terms of the error fall faster.
+// Compares the last two errors that are clear of round-off, as the other terms of the error fall
+// faster.
 EdgeCheck order_check(const std::string& method, const KnownOrder& known, const std::string& scene,
                       const std::string& what, const Refinement& refinement) {
     const std::string order =

@@ -19,7 +19,7 @@ namespace hvi::gen {
 
 namespace {
 
-/// A statement for each parameter.
+/// Returns a statement for each parameter.
 std::string set_parameters(const System& system) {
     const NodeNames names = parameter_names(system);
     std::string text;

@@ -1,4 +1,4 @@
-// Programs that go to the edges: compiled, started, and ended where they take too long.
+// Programs for edge cases: compiled, started, and ended where they take too long.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -14,59 +14,59 @@
 
 namespace hvi::gen {
 
-/// The scene of this name that comes with the program.
+/// Returns the scene of this name that comes with the program.
 [[nodiscard]] Scene edge_scene(const std::string& name);
 
-/// The size of a step that the scene itself asks for.
+/// Returns the scene's own step size.
 [[nodiscard]] double usual_step(const Scene& scene);
 
-/// What a program has said.
+/// The output of a program.
 struct Heard {
     Answers answers;
-    std::string failure = {};  ///< why it did not end well, that is to say, a bug; else empty
+    std::string failure = {};  ///< why it did not end well, which is a bug; else empty
 };
 
-/// What became of the steps of the command `advance`.
+/// The outcome of the command `advance`.
 struct Advance {
     std::string failure, status;
     long steps = 0;
-    bool untouched = false;  ///< the state, by the last step
-    double iterations = 0;   ///< a step
+    bool untouched = false;  ///< whether the last step left the state untouched
+    double iterations = 0;   ///< iterations a step
 
     explicit Advance(const Heard& heard);
 
     [[nodiscard]] bool ok() const { return failure.empty() && status == "ok"; }
-    /// Whether it ended early, by a status and with the state of the last good step.
+    /// Whether the run ended early, with a status and the state of the last good step.
     [[nodiscard]] bool is_stopped() const { return failure.empty() && status != "ok" && untouched; }
-    /// Whether it never began.
+    /// Whether the run never began.
     [[nodiscard]] bool is_refused() const { return is_stopped() && steps == 0; }
 };
 
 class EdgeProgram {
 public:
-    /// Of src/driver/edge_main.hpp. Throws what scene_stepper() does.
+    /// Makes the program of src/driver/edge_main.hpp. Throws as scene_stepper() does.
     EdgeProgram(Builds& builds, const ComposedMethod& method, const Scene& scene,
                 Solver solver = Solver::automatic);
 
-    /// Of src/driver/edge_symplectic.hpp, in dual numbers.
+    /// Makes the program of src/driver/edge_symplectic.hpp, in dual numbers.
     [[nodiscard]] static EdgeProgram symplectic(Builds& builds, const ComposedMethod& method,
                                                 const Scene& scene);
 
-    /// The same as from a scene, of src/driver/naive.hpp: in place of values of parameters it takes
-    /// a tableau.
+    /// Makes the program of src/driver/naive.hpp for a scene. It takes a tableau in place of values
+    /// of parameters.
     [[nodiscard]] static EdgeProgram naive(Builds& builds, const Scene& scene);
 
-    /// Throws what the Build does, EnvironmentError where what it says is no answer, and
-    /// Interruption.
+    /// Runs the program. Throws as the Build does, EnvironmentError where its output is no answer,
+    /// and Interruption.
     [[nodiscard]] Heard ask(std::vector<std::string> words) const;
 
-    /// With numbers after the command, the steps and their size. The state at the end has as many
-    /// as that at the start.
+    /// Runs a command with the step size, the number of steps and numbers. The state at the end has
+    /// as many numbers as the one at the start.
     [[nodiscard]] Heard ask(const std::string& command, double h, long steps,
                             const std::vector<double>& state,
                             const std::vector<double>& values = {}) const;
 
-    /// Whether steps solve nothing.
+    /// Whether steps are explicit.
     [[nodiscard]] bool is_explicit() const { return is_explicit_; }
 
 private:
@@ -76,7 +76,7 @@ private:
     bool is_explicit_ = false;
 };
 
-/// The general Galerkin form does not step every H: why not this one, as a case. Empty where it
+/// Returns a case that says why the general Galerkin form does not step this H. Empty where it
 /// does, and for other methods.
 [[nodiscard]] std::optional<EdgeCheck> refusal_of_general_form(const ExactMethod& method,
                                                                const Scene& scene);

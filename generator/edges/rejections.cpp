@@ -1,4 +1,4 @@
-// Steps that cannot be, and states from which there are none.
+// Impossible steps, and states from which there are no steps.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <fmt/format.h>
 
@@ -19,11 +19,11 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double denormal = std::numeric_limits<double>::denorm_min();
 
-/// What a step is held to.
+/// The expected result of a step.
 enum class Promise {
-    identity,  ///< ok, and every bit of the state as it was
-    back,      ///< steps and as many of size -h end where they began, up to round-off
-    refusal,   ///< a status, and every bit of the state as it was
+    identity,  ///< ok, and the state unchanged in every bit
+    back,      ///< steps, then as many of size -h, end at the start up to round-off
+    refusal,   ///< a status, and the state unchanged in every bit
     either,    ///< a finite state, or a refusal
 };
 
@@ -44,7 +44,7 @@ struct Case {
     Promise promise;
 };
 
-/// The largest difference, divided by the largest component.
+/// Returns the largest difference, divided by the largest component.
 double distance(const std::vector<double>& x, const std::vector<double>& y) {
     double difference = 0, size = 0;
     for (std::size_t i = 0; i < x.size(); ++i) {
@@ -80,7 +80,7 @@ Seen judged(const Heard& heard, const Case& edge) {
     return {ok ? fmt::format("ok, back within {:.1e}", off) : text, ok && off <= 1e-12};
 }
 
-/// `coordinates`: how many numbers of the state are of coordinates and rotations.
+/// `coordinates` is the number of coordinates and entries of rotations in the state.
 std::vector<Case> cases(Origin origin, double h, const std::vector<double>& start,
                         std::size_t coordinates, bool is_symmetric) {
     std::vector<Case> all{{"h = 0", 0, start, Promise::identity}};
@@ -113,7 +113,7 @@ std::vector<Case> cases(Origin origin, double h, const std::vector<double>& star
     return all;
 }
 
-/// NOTE: a chart is at the start of a step, so that the way back takes another one.
+/// NOTE: a chart is at the start of a step, so that the way back uses another chart.
 bool has_charts(const Scene& scene) { return !scene.rotations.texts.empty(); }
 
 std::vector<EdgeCheck> checks(const MethodOnScene& subject) {

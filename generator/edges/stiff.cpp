@@ -17,7 +17,7 @@ constexpr double oscillator_step = 1.0 / 16;  // h; omega = z/h is then exact
 
 /// One run from (omega q, p) = (1, 1/2).
 struct Orbit : Advance {
-    double growth = 0;  ///< the largest |(omega q, p)| by that at the start, or nearly so
+    double growth = 0;  ///< the largest |(omega q, p)| relative to the start, or nearly so
 };
 
 Orbit orbit(const EdgeProgram& program, double z, long steps) {
@@ -35,19 +35,19 @@ bool is_bounded(const Orbit& orbit, const Oscillation& expected) {
     return orbit.ok() && orbit.growth <= rounding * expected.bound;
 }
 
-/// Half of the digits of the growth are asked for, as some of the start lies along the other
-/// eigenvector; and up to 1e100, as numbers that are too large end the run, by a status.
+/// Whether an orbit grows. Half of the digits of the growth are asked for, as a part of the start
+/// lies along the other eigenvector; and at most 1e100, as numbers that are too large end the run
+/// with a status.
 bool grows(const Orbit& orbit, const Oscillation& expected, long steps) {
     const double digits = std::min(100.0, static_cast<double>(steps) * expected.growth / 2);
     return orbit.failure.empty() && (orbit.ok() || orbit.untouched) &&
            std::log10(orbit.growth) >= digits;
 }
 
-/// What has to become of an orbit.
+/// The expected fate of an orbit.
 enum class FateOfOrbit {
-    as_map,  ///< bounded or growing as the exact map is
-    either,  ///< the same, or stopped: fixed points contract so little that it depends on the state
-             ///< whether they come to round-off within their 200 iterations
+    as_map,   ///< bounded or growing as the exact map is
+    either,   ///< the map, or a stop where 200 iterations hardly contract
     refused,  ///< fixed points do not contract
 };
 
@@ -85,7 +85,7 @@ std::string text(FateOfOrbit fate, const Oscillation& expected) {
 
 // ---- from 1e-3 to 1e4 ----
 
-/// How many points are expected to be what.
+/// Numbers of points with each expected fate.
 struct Tally {
     int bounded = 0, growing = 0, either = 0, refused = 0;
 

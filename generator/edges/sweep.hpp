@@ -13,37 +13,38 @@
 
 namespace hvi::gen {
 
-/// Makes the programs of all methods in all forms on the scene, then has each checked, and says on
-/// standard error what it is at. `chapter`: its name.
+/// Makes the programs of all methods in all forms on the scene, then has each checked, and reports
+/// progress on standard error. `chapter` is its name.
 void for_each_form(Builds& builds, const std::vector<ExactMethod>& methods,
                    const std::string& scene, const std::string& chapter,
                    const std::function<void(const KnownOscillator&, const Form&)>& check);
 
-/// What was seen at one z = h omega.
+/// The result at one z = h omega.
 struct SweepPoint {
     double growth = 0;      ///< drawn where it is finite and above 0
-    double iterations = 0;  ///< a step; the same
-    std::string wrong;      ///< what was expected and what was seen; empty where they agree
+    double iterations = 0;  ///< iterations a step, drawn likewise
+    std::string wrong;      ///< the expected and the seen result; empty where they agree
 };
 
 /// Sweeps of a scene by several methods, in several forms.
 class Sweeps {
 public:
-    /// `title` is that of the pictures, before the form.
+    /// `title` is the beginning of the pictures' titles, before the form.
     Sweeps(std::string scene, std::string title)
         : scene_(std::move(scene)), title_(std::move(title)) {}
 
-    /// One check over 57 z from 1e-3 to 1e4, the same number in each decade, without what is
-    /// expected; and curves in the two pictures of the form. `steps` says how many, and of what.
+    /// Makes one check over 57 z from 1e-3 to 1e4, equally many in each decade, without its
+    /// expected result. Adds curves to the two pictures of the form. `steps` names the number and
+    /// the kind of steps.
     [[nodiscard]] EdgeCheck sweep(const std::string& method, const std::string& form,
                                   const std::string& steps,
                                   const std::function<SweepPoint(double z)>& at);
 
-    /// Growth and iterations of each form.
+    /// Returns pictures of growth and iterations for each form.
     [[nodiscard]] std::vector<CurvesPicture> pictures() const;
 
 private:
-    /// Those of a form.
+    /// The curves of a form.
     struct Curves {
         std::string form;
         std::vector<CurvesPicture::Curve> growth, iterations;

@@ -1,4 +1,4 @@
-// Whether the derivative of a step is symplectic.
+// Checks that the derivative of a step is symplectic.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <fmt/format.h>
 
@@ -11,10 +11,10 @@ namespace hvi::gen {
 
 namespace {
 
-/// What rounding may leave, beside |D|^T |J| |D|. A step solves its equations up to changes of 8
-/// units in the last place (src/hvi/fixed_point.hpp), which are 16 of 2^-53. Such an error of D is
-/// twice in D^T J D, and the sums of its products are rounded as many times as they have terms.
-/// Where velocities are solved for, momenta are right to that, and velocities to that times the
+/// Returns a bound of the effect of rounding, beside |D|^T |J| |D|. A step solves its equations up
+/// to changes of 8 units in the last place (src/hvi/fixed_point.hpp), which are 16 of 2^-53. Such
+/// an error of D is twice in D^T J D, and each sum of its products is rounded once for each term.
+/// Where velocities are solved for, momenta have this error, and velocities this error times the
 /// condition number of d2L/dv2. Charts of rotations are a dozen products more, back and forth.
 double bound_of(const Scene& scene, long steps, double condition) {
     const auto terms = static_cast<double>(variables(unrolled(scene)).size());

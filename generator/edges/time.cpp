@@ -1,4 +1,4 @@
-// Events and scaled time where they are extreme.
+// Extreme cases of events and scaled time.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <fmt/format.h>
 
@@ -20,7 +20,7 @@ namespace hvi::gen {
 
 namespace {
 
-/// A run that is compiled.
+/// A compiled run.
 struct ReadyRun {
     const RunCase* run;
     ModuleBuild module;
@@ -36,8 +36,8 @@ ReadyRun ready(Builds& builds, const ExactMethod& method, const RunCase& run) {
             driven_events(stepper.system, *lowered.written), method.name()};
 }
 
-/// NOTE: in scaled time each step takes less than its size in time, or a little more: a run that
-/// takes more steps than these does not end.
+/// NOTE: in scaled time a step takes less time than its size, or a little more. A run that takes
+/// more steps than `most` does not end.
 EventfulRunWishes wishes_of(const ReadyRun& ready) {
     constexpr std::int64_t most = 100'000;
     const RunCase& run = *ready.run;
@@ -69,7 +69,7 @@ EdgeCheck checked(const ReadyRun& ready) {
     return check;
 }
 
-/// Whether there is no stepper, for this reason.
+/// Checks that there is no stepper, for the expected reason.
 EdgeCheck checked(const ExactMethod& method, const RefusedScale& refused) {
     EdgeCheck check{method.name(), refused.scene.name,
                     refused.what,  "no run: a scale that " + refused.words,

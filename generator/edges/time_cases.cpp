@@ -20,7 +20,7 @@ q = 1
 p = 0
 )toml";
 
-/// The ball falls for a time of 1.
+/// A ball that falls for a time of 1.
 constexpr const char* ball = R"toml(name = "ball"
 coordinates = "q"
 momenta = "p"
@@ -30,7 +30,7 @@ q = "1/2"
 p = 0
 )toml";
 
-/// Both walls are met at t = 1.
+/// A corner whose walls are both met at t = 1.
 constexpr const char* corner = R"toml(name = "corner"
 coordinates = ["x", "y"]
 momenta = ["px", "py"]
@@ -50,7 +50,7 @@ direction = "down"
 set = {py = "-py"}
 )toml";
 
-/// U is negative up to q = pi/2, which the motion passes.
+/// A pendulum whose U is negative up to q = pi/2, which the motion passes.
 constexpr const char* crossing = R"toml(name = "pendulum"
 coordinates = "q"
 momenta = "p"
@@ -75,14 +75,14 @@ Scene with_event(const std::string& scene, const std::string& event) {
 
 using Judge = std::function<bool(const EventfulMeasurement&)>;
 
-/// Comes to its end with so many events of each.
+/// Expects the end of the run, and these numbers of events.
 Judge counts(std::vector<std::int64_t> expected) {
     return [expected = std::move(expected)](const EventfulMeasurement& seen) {
         return seen.run.ok() && seen.events == expected;
     };
 }
 
-/// Ends with a status that has these words in it, at a time between two.
+/// Expects a status with these words, at a time between two.
 Judge stops(const std::string& words, double from, double to) {
     return [=](const EventfulMeasurement& seen) {
         return !seen.run.ok() && seen.run.status.find(words) != std::string::npos &&
@@ -102,9 +102,9 @@ bool ends_at(const EventfulMeasurement& seen, const std::vector<double>& state) 
 
 }  // namespace
 
-// NOTE: of dt/ds = 1 - t, t is 1 - exp(-s). Of dt/ds = sqrt(q - 1/2) the state comes to q = 1/2, at
-// t = pi/3, where the scale vanishes, in a finite s. Where U passes through zero dt/ds is infinite:
-// an explicit step may be on the other side at once, where -T takes the place of T.
+// NOTE: for dt/ds = 1 - t, t is 1 - exp(-s). For dt/ds = sqrt(q - 1/2) the state reaches q = 1/2,
+// where the scale vanishes, at t = pi/3 in a finite s. Where U passes through zero dt/ds is
+// infinite: an explicit step may be on the other side at once, where -T takes the place of T.
 std::vector<RunCase> runs_in_scaled_time() {
     return {
         {with_scale(oscillator, "1 - t"), "dt/ds = 1 - t vanishes on the way, at t = 1", step, 2,
@@ -144,8 +144,8 @@ std::vector<RunCase> runs_with_events() {
          },
          2,
          {-1, 0, 0.5, 1, 1.5, 2}},
-        // It flies for 1, 1, 1/2, 1/4, ... In steps of the first order it comes to the floor at
-        // rest.
+        // NOTE: the ball flies for 1, 1, 1/2, 1/4, ... With steps of the first order it comes to
+        // rest on the floor.
         {with_event(ball, "zero = \"q\"\ndirection = \"down\"\nset = {p = \"-p/2\"}"),
          "infinitely many before t = 3: a ball that loses half of its speed", step, 4,
          "a status, at t = 3 within a tenth", stops("again and again", 2.9, 3.1), 2},

@@ -12,26 +12,26 @@
 
 namespace hvi::gen {
 
-/// What is to become of a run.
+/// A run with its expected result.
 struct RunCase {
     Scene scene;
     std::string what;
     double h = 0, until = 0;
     std::string expected;
-    /// Precondition of the call: the run has an end, of a state of as many numbers as expected.
+    /// Precondition of the call: the run has an end, whose state has as many numbers as expected.
     std::function<bool(const EventfulMeasurement&)> agrees;
-    int least_order = 1;             ///< of methods of which that is expected
-    std::vector<double> times = {};  ///< at which it looks at the first coordinate
+    int least_order = 1;             ///< the least order of methods that must pass
+    std::vector<double> times = {};  ///< times at which the first coordinate is checked
 };
 
-/// A scale of the time with which there is no run.
+/// A scale of time that is refused.
 struct RefusedScale {
     Scene scene;
     std::string what;
-    std::string words;  ///< of the reason
+    std::string words;  ///< words of the reason
 };
 
-/// A jump that is said to be symplectic.
+/// A jump that is claimed to be symplectic.
 struct ClaimedJump {
     Scene scene;
     std::string what;
@@ -43,7 +43,7 @@ struct ClaimedJump {
 [[nodiscard]] std::vector<RefusedScale> refused_scales();
 [[nodiscard]] std::vector<ClaimedJump> claimed_jumps();
 
-/// Checkpoints that are written and read, of no run.
+/// Check checkpoints that are written and read without a run.
 [[nodiscard]] EdgeCheck numbers_of_checkpoint();
 [[nodiscard]] EdgeCheck cut_checkpoint();
 

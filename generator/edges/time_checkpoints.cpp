@@ -18,7 +18,7 @@ namespace {
 
 constexpr const char* key = "edges";
 
-/// A checkpoint after so many steps, with numbers of each kind.
+/// Returns a checkpoint after `steps` steps, with numbers of each kind.
 Checkpoint checkpoint_after(std::int64_t steps) {
     using Limits = std::numeric_limits<double>;
     Checkpoint checkpoint;
@@ -33,7 +33,7 @@ Checkpoint checkpoint_after(std::int64_t steps) {
     return checkpoint;
 }
 
-/// The last whole checkpoint; nothing where there is none.
+/// Returns the last whole checkpoint; nothing where there is none.
 std::optional<Checkpoint> found_in(const std::string& text) {
     try {
         return last_checkpoint(text, key, "checkpoint");

@@ -40,7 +40,7 @@ private:
                occurs_in(variable, gradient_.by_momenta);
     }
 
-    /// (4.6c)
+    /// Writes (4.6c).
     void write_positions(GalerkinEquations& result, std::size_t k) {
         const std::string& x = H_.coordinates[k];
         if (!is_needed(x)) return;
@@ -48,7 +48,7 @@ private:
             result.positions.push_back({terms_.name(x, i), terms_.position(x, i)});
     }
 
-    /// (4.6d), then (4.6e)
+    /// Writes (4.6d), then (4.6e).
     void write_conditions(GalerkinEquations& result, std::size_t k) {
         const std::string& p = H_.momenta[k];
         for (std::size_t j = 0; j < rule_.functions(); ++j)

@@ -8,8 +8,8 @@
 
 namespace hvi::gen {
 
-/// (4.6) with the numbers of the rule and the gradient of this H put in: for the unknowns V^j and
-/// P^i, Q^i (4.6c) as far as H depends on them, the conditions (4.6d) and (4.6e), and (4.6a),
+/// Writes (4.6) with the numbers of the rule and the gradient of this H: (4.6c) for the unknowns
+/// V^j and P^i, Q^i as far as H depends on them, the conditions (4.6d) and (4.6e), and (4.6a),
 /// (4.6b). Terms with the coefficient 0 are left out; a coefficient without a closed form is a
 /// decimal of 20 digits.
 [[nodiscard]] GalerkinEquations galerkin_equations(const GalerkinRule& rule,

@@ -7,7 +7,7 @@ namespace hvi::gen {
 
 namespace {
 
-/// What the unknowns of a coordinate are called before they have an index.
+/// Returns the name of a coordinate's unknowns without an index.
 std::string rate_of(const std::string& coordinate) { return "v_" + coordinate; }
 
 StageTerms terms_at_nodes(const std::vector<std::string>& coordinates,
@@ -18,7 +18,7 @@ StageTerms terms_at_nodes(const std::vector<std::string>& coordinates,
     return StageTerms(stage_names(varying, taken, nodes));
 }
 
-/// Of the values of a function, or of other numbers, with the weights of the rule.
+/// Multiplies values at the nodes by the weights of the rule.
 NumberVector weighted(const NumberVector& b, NumberVector numbers) {
     for (std::size_t i = 0; i < b.size(); ++i) numbers[i] = b[i] * numbers[i];
     return numbers;

@@ -12,7 +12,7 @@ namespace {
 
 using Forms = std::vector<AffineForm>;
 
-/// The least value within the ranges, by sizes.
+/// Returns the least value within the ranges, as a form in sizes.
 AffineForm least(AffineForm form, const std::vector<Loop>& ranges) {
     for (auto loop = ranges.rbegin(); loop != ranges.rend(); ++loop) {
         const long coefficient = form.coefficient(loop->index);
@@ -47,8 +47,8 @@ BoundsOfIndex bounds_of(const std::string& index, const Forms& conditions, const
     return result;
 }
 
-/// Leaves out what others imply. `sign` is 1 for lower bounds, of which the largest counts, and -1
-/// for upper ones.
+/// Leaves out bounds that others imply. `sign` is 1 for lower bounds, of which the largest counts,
+/// and -1 for upper bounds.
 Forms narrowest(const Forms& bounds, long sign, const IndexRanges& ranges) {
     Forms result;
     const auto is_implied_by = [&](const AffineForm& bound) {
@@ -70,13 +70,14 @@ public:
             const Place& place)
         : element_(element), sizes_(sizes), place_(place) {}
 
-    /// `inner` are loops that have their bounds.
+    /// Places the sum of `loops` under `conditions`. `inner` are loops that have their bounds.
     void add(std::vector<Loop> loops, Forms conditions, std::vector<Loop> inner);
 
     [[nodiscard]] std::vector<PlacedSum> result() && { return std::move(result_); }
 
 private:
-    /// Parts where the first bound is the narrower one, and where the second is.
+    /// Splits the sum in two parts: the first bound is the narrower one in one, the second in the
+    /// other.
     void add_both(std::vector<Loop> loops, const BoundsOfIndex& bounds, long sign,
                   const std::vector<Loop>& inner);
     void finish(Forms conditions, std::vector<Loop> loops);
@@ -125,14 +126,14 @@ void Placing::add(std::vector<Loop> loops, Forms conditions, std::vector<Loop> i
     add(std::move(loops), std::move(bounds.others), std::move(inner));
 }
 
-/// NOTE: the element is within its own range in any case.
+/// NOTE: the element is always within its own range.
 void Placing::finish(Forms conditions, std::vector<Loop> loops) {
     const IndexRanges ranges{element_, {}};
     PlacedSum sum{std::move(loops), {}};
     for (const AffineForm& condition : conditions) {
         if (is_never_negative(-1 * condition - AffineForm{1}, ranges)) { return; }
     }
-    // A sum with a last index before its first one is 0 anyway.
+    // NOTE: a sum with a last index before its first one is 0 anyway.
     std::erase_if(conditions, [&](const AffineForm& condition) {
         return std::any_of(sum.loops.begin(), sum.loops.end(), [&](const Loop& loop) {
             return loop.range.last - loop.range.first == condition;

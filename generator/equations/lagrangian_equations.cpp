@@ -13,14 +13,15 @@ namespace hvi::gen {
 
 namespace {
 
-/// What varies from stage to stage: coordinates, velocities, and the time where it occurs.
+/// Returns the names that vary from stage to stage: coordinates, velocities, and the time where it
+/// occurs.
 std::vector<std::string> varying(const Lagrangian& L) {
     std::vector<std::string> names = variables(L);
     if (depends_on_time(L)) names.push_back("t");
     return names;
 }
 
-/// The names that L and its momenta have.
+/// Returns the names in L and of its momenta.
 std::set<std::string> taken(const Lagrangian& L, const std::vector<std::string>& momenta) {
     std::set<std::string> names = symbols_in(L.expression);
     names.insert(momenta.begin(), momenta.end());
@@ -40,7 +41,7 @@ bool is_needed(const std::string& variable, const LagrangianGradient& gradient) 
            occurs_in(variable, gradient.by_velocities);
 }
 
-/// For a tableau.
+/// Writes the equations for a tableau.
 class LagrangianWriter {
 public:
     LagrangianWriter(const ButcherPair& pair, const Lagrangian& L,
@@ -74,13 +75,13 @@ private:
         }
     }
 
-    /// q + h sum_j row_j V^j
+    /// Returns q + h sum_j row_j V^j.
     [[nodiscard]] Expression position(std::size_t k, const NumberVector& row) {
         return terms_.moved(Expression::symbol(L_.coordinates[k]),
                             Expression::symbol(L_.velocities[k]), terms_.written(row), false);
     }
 
-    /// p + h sum_j row_j dL/dq(Q^j, V^j)
+    /// Returns p + h sum_j row_j dL/dq(Q^j, V^j).
     [[nodiscard]] Expression momentum(std::size_t k, const NumberVector& row) {
         return terms_.moved(Expression::symbol(result_.momenta[k]), gradient_.by_coordinates[k],
                             terms_.written(row), false);
@@ -93,7 +94,7 @@ private:
     LagrangianEquations& result_;
 };
 
-/// For the general form.
+/// Writes the equations for the general form.
 class GeneralLagrangianWriter {
 public:
     GeneralLagrangianWriter(const GalerkinRule& rule, const Lagrangian& L,
@@ -123,7 +124,7 @@ public:
     }
 
 private:
-    /// (4.14c) and (4.14e)
+    /// Writes (4.14c) and (4.14e).
     void write_at_nodes(std::size_t k) {
         const std::string &x = L_.coordinates[k], &v = L_.velocities[k];
         for (std::size_t i = 0; i < rule_.nodes(); ++i)

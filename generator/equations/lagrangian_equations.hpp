@@ -11,29 +11,29 @@
 
 namespace hvi::gen {
 
-/// With as many nodes as functions, (4.14) in the cardinal basis of the nodes, psi_j(c_i) = 1 for
-/// i = j and else 0: the span of the basis is the same, so that it is the same step, and the
-/// unknowns V^i are the velocities in the stages. Then A_ij = a_ij and B_j = b_j of the tableau,
-/// and (4.14d) divided by b_j, which is not 0, is
+/// The equations (4.14). With as many nodes as functions they are in the cardinal basis of the
+/// nodes, psi_j(c_i) = 1 for i = j and else 0. Its span is that of the method's basis, so that the
+/// step is unchanged, and the unknowns V^i are the velocities in the stages. Then A_ij = a_ij and
+/// B_j = b_j of the tableau, and (4.14d) divided by b_j, which is not 0, is
 ///
-///     dL/dv(Q^j, V^j) = p + h sum_i (b_i - b_i a_ij/b_j) dL/dq(Q^i, V^i) = p + h sum_i a~_ji
-///     dL/dq.
+///     dL/dv(Q^j, V^j) = p + h sum_i (b_i - b_i a_ij/b_j) dL/dq(Q^i, V^i)
+///                     = p + h sum_i a~_ji dL/dq.
 ///
-/// With more nodes (4.14) is in the basis of the method. Positions are Q^i (4.14c) and times T_i,
-/// as far as L depends on them, and then the velocities (4.14e); conditions are (4.14d), and the
-/// update is (4.14a) and (4.14b).
+/// For more nodes (4.14) is in the basis of the method. `positions` are Q^i (4.14c) and times T_i,
+/// as far as L depends on them, and then the velocities (4.14e). `conditions` are (4.14d), and
+/// `update` is (4.14a) and (4.14b).
 struct LagrangianEquations : StepTitle, GalerkinEquations {
-    Expression lagrangian;  ///< values put in where it is that of a Hamiltonian
+    Expression lagrangian;  ///< values put in where it comes from a Hamiltonian
     std::vector<std::string> coordinates, velocities, momenta;
-    std::vector<Equation> legendre;  ///< of each momentum: p = dL/dv
+    std::vector<Equation> legendre;  ///< p = dL/dv for each momentum
 };
 
-/// Throws what `derive_any` and check_regular() throw. Precondition: their names go together (see
-/// check_together).
+/// Writes the equations for L. Throws as `derive_any` and check_regular() do. Precondition: the
+/// names of both go together (see check_together).
 [[nodiscard]] LagrangianEquations lagrangian_equations(const Method& method,
                                                        const Lagrangian& lagrangian);
 
-/// Those of the Lagrangian that belongs to H. Throws what legendre_transform() throws.
+/// Writes the equations for the Lagrangian of H. Throws as legendre_transform() does.
 [[nodiscard]] LagrangianEquations lagrangian_equations(const Method& method,
                                                        const Hamiltonian& hamiltonian);
 

@@ -26,7 +26,7 @@ IndexedExpression with_definitions(const Scene& scene) {
     return definitions.put_in(scene.function);
 }
 
-/// Words of a derivative and of its indices, and of what its totals are made of.
+/// Returns the words of a derivative and of its indices, and of the totals in it.
 std::set<std::string> words_in(const System& system, const ElementSlope& slope) {
     std::set<std::string> words;
     for (const LoopTermOfSlope& term : slope) {
@@ -37,7 +37,7 @@ std::set<std::string> words_in(const System& system, const ElementSlope& slope) 
             return true;
         });
     }
-    // NOTE: a total is made of those before it alone.
+    // NOTE: a total uses only totals before it.
     for (std::size_t k = system.totals.size(); k-- > 0;) {
         const SystemTotal& total = system.totals[k];
         if (words.count(system.graph.at(total.node).name) == 0) { continue; }
@@ -56,7 +56,7 @@ std::set<std::string> words_in(const System& system, const ElementSlope& slope) 
     return words;
 }
 
-/// NOTE: derivatives that loops add up have no text of the scene.
+/// NOTE: derivatives that loops add up have no text in the scene.
 void check_totals(const System& system, const Place& place) {
     for (const SystemTotal& total : system.totals) {
         if (system.graph.at(total.node).name.rfind("derivative by ", 0) != 0) { continue; }
@@ -65,8 +65,8 @@ void check_totals(const System& system, const Place& place) {
     }
 }
 
-/// One element of each family, in the place of a Hamiltonian without loops: its derivatives are
-/// calls of what they depend on.
+/// One element of each family, as a Hamiltonian without loops. Its derivatives are calls with the
+/// families that they depend on.
 class OfOneElement {
 public:
     OfOneElement(const System& system, const LoopGradient& gradient)
@@ -110,7 +110,7 @@ private:
         }
     }
 
-    /// NOTE: stages take no name that stands in H, with an index or without.
+    /// NOTE: stages take no name that occurs in H, with an index or without.
     void take_names(const System& system) {
         std::vector<Expression> words;
         for (const std::string& name : names_in(system)) {
@@ -126,7 +126,7 @@ private:
         H_.expression = Expression::sum(std::move(words));
     }
 
-    /// With whole families for the arguments of derivatives.
+    /// Replaces the arguments of derivatives by whole families.
     [[nodiscard]] static Expression of_all(Expression expression) {
         const bool is_slope =
             expression.kind == Expression::Kind::call && !is_function(expression.name);
@@ -144,7 +144,7 @@ private:
     std::vector<std::pair<std::string, std::string>> varying_;  ///< families, and elements of them
 };
 
-/// The parameters of H, with the ranges of their indices.
+/// Returns the parameters of H, with the ranges of their indices.
 std::vector<std::string> parameters_of(const System& system, const Expression& hamiltonian) {
     std::set<std::string> words;
     walk(hamiltonian, [&](const Expression& part) {
@@ -161,7 +161,7 @@ std::vector<std::string> parameters_of(const System& system, const Expression& h
     return result;
 }
 
-/// The sizes, and the parameters of H that have a value.
+/// Returns the sizes, and the parameters of H that have a value.
 std::vector<Parameter> values_of(const System& system, const Expression& hamiltonian,
                                  const std::vector<Parameter>& given) {
     std::vector<Parameter> result;

@@ -12,23 +12,24 @@
 
 namespace hvi::gen {
 
-/// An equation for an element with any index, `x[k]`, stands for all of its family. Sizes are among
-/// the parameters that have values, and stay names. In stages and update `dH_dx[k](X_1,P_1)` is a
-/// call of that name: the derivative by x[k] where all x are X_1 and all p are P_1.
+/// The equations with loops. An equation for an element with any index, `x[k]`, holds for all of
+/// its family. Sizes are among the parameters that have values, and stay names. In stages and
+/// update `dH_dx[k](X_1,P_1)` is a call of that name: the derivative by x[k] at values X_1 of all x
+/// and P_1 of all p.
 struct LoopEquations : StepTitle {
-    Expression hamiltonian;  ///< with its sums
+    Expression hamiltonian;  ///< sums are kept
     std::vector<SystemFamily> coordinates, momenta;
     StageEquations stages;
     LoopGradient gradient;
 };
 
-/// `dH_dx[k]`, of the element with the first of these indices.
+/// Returns `dH_dx[k]` for the element with the first of these indices.
 [[nodiscard]] std::string slope_name(const SystemFamily& family,
                                      const std::vector<std::string>& indices);
 
-/// The equations of the stages with the exact coefficients of the method, and the derivatives of H.
-/// `values` are those of the parameters that have one. Throws what system_of() and derive_any()
-/// throw, and NoLoops for what loop_gradient() refuses and for the general Galerkin form.
+/// Writes the equations of the stages with the exact coefficients of the method, and the
+/// derivatives of H. `values` are the values of parameters that have one. Throws as system_of() and
+/// derive_any() do, and NoLoops for what loop_gradient() refuses and for the general Galerkin form.
 [[nodiscard]] LoopEquations loop_equations(const Method& method, Scene scene,
                                            const std::vector<Parameter>& values);
 

@@ -25,7 +25,7 @@ namespace {
         place);
 }
 
-/// A form less whole moduli, as i+N-2 is i-2 modulo N.
+/// Reduces a form by whole moduli: i+N-2 is i-2 modulo N.
 AffineForm less_moduli(const AffineForm& form, const AffineForm& modulus) {
     if (modulus.coefficients.empty()) { return form; }
     const auto& [name, per] = *modulus.coefficients.begin();
@@ -40,16 +40,17 @@ Expression within_sums(Expression term, const std::vector<Loop>& loops) {
     return term;
 }
 
-/// A summand of a sum, of which indices of loops are solved for.
+/// A summand of a sum. Its accesses are solved for the indices of loops.
 class Summand {
 public:
     Summand(const System& system, const SystemSum& sum, const Place& place)
         : system_(system), sum_(sum), place_(place) {}
 
-    /// Makes the access the element with these indices.
+    /// Sets indices of loops so that the access is the element with these indices.
     void solve(const Access& access, const std::vector<Loop>& element);
 
-    /// A value of the summand, over the loops that are left and under the conditions.
+    /// Returns the terms for a value of the summand, over the remaining loops and under the
+    /// conditions.
     [[nodiscard]] std::vector<LoopTermOfSlope> terms(const Scaled& value) const;
 
 private:
@@ -60,7 +61,7 @@ private:
     [[nodiscard]] bool has_unsolved(const AffineForm& form) const;
     void set(const std::string& index, ElementIndex value);
     [[nodiscard]] std::optional<std::string> wrapped_in(const AffineForm& form) const;
-    /// With the solved indices put in.
+    /// Puts the solved indices in.
     [[nodiscard]] AffineForm put_in(AffineForm form) const;
     [[nodiscard]] ElementIndex put_in(const ElementIndex& index, const IndexRanges& ranges) const;
     [[nodiscard]] IndexRanges ranges() const;
@@ -131,7 +132,7 @@ void Summand::solve(const ElementIndex& index, const Loop& element) {
     set(loop->index, {sign * (k - replaced(form, loop->index, {}))});
 }
 
-/// mod(+-i + rest, M) + offset = k for i = first, ..., first + M - 1: each k has one i.
+/// Solves mod(+-i + rest, M) + offset = k for i = first, ..., first + M - 1: each k has one i.
 void Summand::solve_mod(const ElementIndex& index, const Loop& loop, const AffineForm& form,
                         const AffineForm& k) {
     const AffineForm &first = loop.range.first, &modulus = *index.modulus;
@@ -180,7 +181,7 @@ ElementIndex Summand::put_in(const ElementIndex& index, const IndexRanges& range
     return is_least_rest ? ElementIndex{result.form + result.offset} : result;
 }
 
-/// The loops that are left.
+/// Returns the remaining loops.
 IndexRanges Summand::ranges() const {
     IndexRanges result{element_, {}};
     for (const Loop& loop : sum_.loops) {
@@ -199,7 +200,7 @@ IndexRanges Summand::ranges() const {
     return result;
 }
 
-/// Conditions on the indices that are solved for, within their ranges.
+/// Returns conditions that keep the solved indices within their ranges.
 std::vector<AffineForm> Summand::conditions() const {
     std::vector<AffineForm> result;
     for (const AffineForm& condition : conditions_) { result.push_back(put_in(condition)); }
@@ -267,7 +268,7 @@ std::vector<std::string> free_indices(const System& system,
     return result;
 }
 
-/// The indices of an element, in the ranges of its family.
+/// Returns the indices of an element, in the ranges of its family.
 std::vector<Loop> element_loops(const SystemFamily& family,
                                 const std::vector<std::string>& indices) {
     std::vector<Loop> result;
@@ -277,7 +278,7 @@ std::vector<Loop> element_loops(const SystemFamily& family,
     return result;
 }
 
-/// Terms that are in the same places are one.
+/// Adds a term; terms with equal ranges become one.
 void add(ElementSlope& slope, LoopTermOfSlope term) {
     const auto same = std::find_if(slope.begin(), slope.end(), [&](const LoopTermOfSlope& other) {
         return other.where == term.where;

@@ -14,12 +14,12 @@ namespace hvi::gen {
 
 namespace {
 
-/// The numbers that nodes of constants and parameters stand for.
+/// Converts nodes of constants and parameters to numbers of a field.
 class Coefficients {
 public:
     Coefficients(const Graph& graph, const Ground& ground) : graph_(graph), ground_(ground) {}
 
-    /// 0, with an obstacle, where it has no place on the ground.
+    /// Returns 0, and notes an obstacle, for a number that is not in the field of the ground.
     [[nodiscard]] Number number(const Scaled& coefficient) {
         const auto text = written(graph_, coefficient);
         if (!text) {
@@ -45,7 +45,7 @@ private:
     std::string obstacle_;
 };
 
-/// S of the blocks, by its lower triangle.
+/// Returns the matrix S from its blocks, by the lower triangle.
 NumberMatrix matrix(const Hessian& hessian, Coefficients& coefficients) {
     const std::size_t n = hessian.qq.size();
     NumberMatrix S(2 * n, NumberVector(2 * n));

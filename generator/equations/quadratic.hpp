@@ -11,16 +11,15 @@
 
 namespace hvi::gen {
 
-/// H as a quadratic form, or what is in the way.
+/// H as a quadratic form, or an obstacle.
 struct QuadraticProof {
     std::optional<QuadraticForm> form;
-    /// Where H is quadratic, and a coefficient of it is no number of the field: which and why.
+    /// The coefficient of a quadratic H that is no number of the field, and why; else empty.
     std::string obstacle;
 };
 
-/// The form has its coefficients on the field of `ground`. Whether H is quadratic, and the same at
-/// all times, is what its Structure says, as of the H of a stepper. Throws InputError as lower()
-/// does.
+/// Returns the form with coefficients in the field of `ground`. The Structure of a stepper's H
+/// decides whether H is quadratic, and constant in time. Throws InputError as lower() does.
 [[nodiscard]] QuadraticProof quadratic_form(const Hamiltonian& hamiltonian, const Ground& ground);
 
 }  // namespace hvi::gen

@@ -12,7 +12,8 @@ namespace hvi::gen {
 
 namespace {
 
-/// The names of the values in the stages of coordinates, momenta, and the time where it occurs.
+/// Returns the names of the values of coordinates, momenta, and the time where it occurs, in the
+/// stages.
 std::vector<StageNames> names_in_stages(const Hamiltonian& H, std::size_t stages) {
     std::vector<std::string> varying = variables(H);
     if (depends_on_time(H)) varying.push_back("t");
@@ -51,7 +52,7 @@ private:
     Row b_;
 };
 
-/// q + h sum_j a_j dH/dp(Q^j, P^j), or p - h sum_j a~_j dH/dq(Q^j, P^j).
+/// Returns q + h sum_j a_j dH/dp(Q^j, P^j), or p - h sum_j a~_j dH/dq(Q^j, P^j).
 Expression Writer::value(std::size_t variable, const Row& for_q, const Row& for_p) {
     const std::size_t n = H_.degrees_of_freedom();
     if (variable < n)
@@ -66,7 +67,7 @@ bool Writer::is_needed(const std::string& variable) const {
            occurs_in(variable, gradient_.by_momenta);
 }
 
-/// Which derivatives have which variables.
+/// Returns the variables that each derivative depends on.
 SlopePattern Writer::slopes() const {
     const auto pattern = [](const std::vector<Expression>& derivatives,
                             const std::vector<std::string>& names) {
@@ -84,7 +85,7 @@ SlopePattern Writer::slopes() const {
             pattern(gradient_.by_coordinates, H_.momenta)};
 }
 
-/// Adds those of the stage values that a derivative depends on.
+/// Adds the stage values that a derivative depends on.
 void Writer::set_stages(StageEquations& result) {
     std::vector<StageNode> values;
     result.is_explicit = true;
@@ -107,9 +108,9 @@ void Writer::set_stages(StageEquations& result) {
     }
 }
 
-/// NOTE: an H that depends on time is one without, H(q, p, t) + e, with t as one more coordinate
-/// and e for its momentum. Then t' = 1, of which (4.18) makes t + h sum_j a_ij = t + c_i h in the
-/// stages, since constants are in the span of the basis; and nothing else depends on e.
+/// NOTE: an H that depends on time is one without: H(q, p, t) + e, with t as one more coordinate
+/// and e for its momentum. Then t' = 1, and (4.18) gives t + h sum_j a_ij = t + c_i h in the
+/// stages, since constants are in the span of the basis. Nothing else depends on e.
 StageEquations Writer::equations() {
     StageEquations result;
     if (is_needed("t"))

@@ -13,15 +13,15 @@
 namespace hvi::gen {
 
 struct StageEquations {
-    /// Of the values that a derivative of H depends on, in each stage: `Q_1` of the variable q, and
-    /// `T_1` of the time. In an order in which they can be evaluated, when is_explicit.
+    /// Values that a derivative of H depends on, in each stage: `Q_1` for the variable q, and `T_1`
+    /// for the time. When is_explicit, they stand in an order of evaluation.
     std::vector<Equation> stages;
-    std::vector<Equation> update;  ///< of all variables at the end of the step, by their names
-    bool is_explicit = false;      ///< whether the stages ask for nothing to be solved
-    bool is_exact = true;          ///< whether each coefficient stands in closed form
+    std::vector<Equation> update;  ///< all variables at the end of the step, by their names
+    bool is_explicit = false;      ///< whether no equation is to be solved for the stages
+    bool is_exact = true;          ///< whether each coefficient has a closed form
 };
 
-/// (4.18) with the coefficients of the method and the gradient of this H put in. Terms with the
+/// Writes (4.18) with the coefficients of the method and the gradient of this H. Terms with the
 /// coefficient 0 are left out; a coefficient without a closed form is a decimal of 20 digits.
 [[nodiscard]] StageEquations
 stage_equations(const ButcherPair& pair, const Hamiltonian& hamiltonian, const Gradient& gradient);

@@ -12,9 +12,9 @@ namespace hvi::gen {
 
 namespace {
 
-constexpr int digits_of_decimals = 20;  ///< of a coefficient without a closed form
+constexpr int digits_of_decimals = 20;  ///< for a coefficient without a closed form
 
-/// The ways to call the values of a variable in the stages, the best first, without an index.
+/// Returns a name without an index for a variable's stage values; lower attempts are better names.
 std::string stem(const std::string& variable, std::size_t attempt) {
     if (attempt > 0) {
         std::string result = variable;
@@ -26,7 +26,7 @@ std::string stem(const std::string& variable, std::size_t attempt) {
     return capital;
 }
 
-/// The name of a variable's value in a stage: Q_1, and X_1[3] of x[3].
+/// Returns the name of a variable's value in a stage: Q_1, and X_1[3] for x[3].
 std::string name_in_stage(const std::string& variable, std::size_t stage, std::size_t attempt) {
     const std::string name(without_index(variable));
     return stem(name, attempt) + "_" + std::to_string(stage + 1) + variable.substr(name.size());
@@ -61,7 +61,7 @@ Split split(const Expression& expression) {
     return result;
 }
 
-/// The product of what is not 1.
+/// Returns the product of the factors that are not 1.
 Expression product(std::vector<Expression> factors) {
     const auto is_one = [](const Expression& factor) { return factor == Expression::integer(1); };
     factors.erase(std::remove_if(factors.begin(), factors.end(), is_one), factors.end());
@@ -72,7 +72,7 @@ Expression with_sign(bool negative, Expression expression) {
     return negative ? Expression::negation(std::move(expression)) : expression;
 }
 
-/// The value of an Expression::Kind::number, where it is small.
+/// Returns the value of an Expression::Kind::number, where it is small.
 std::optional<Number> small_number(const Expression& expression) {
     constexpr std::size_t most_digits = 18;
     if (expression.numerator.size() > most_digits || expression.denominator.size() > most_digits)
@@ -126,8 +126,8 @@ Row StageTerms::written(const NumberVector& row) {
     return result;
 }
 
-/// coefficient * derivative. A number in front of the derivative is multiplied with a rational or
-/// a decimal, and stands before any other coefficient.
+/// Returns coefficient * derivative. A number in front of the derivative is multiplied with a
+/// rational or a decimal coefficient, and stands before any other coefficient.
 Expression StageTerms::term(const Number& coefficient, const Expression& coefficient_form,
                             const Expression& derivative) {
     const auto [negative, number, rest] = split(derivative);
@@ -138,8 +138,8 @@ Expression StageTerms::term(const Number& coefficient, const Expression& coeffic
                                           : product({number, coefficient_form, rest}));
 }
 
-/// The terms of sum_j row_j derivative(Q^j, P^j). What is the same in all stages comes once, with
-/// the sum of the coefficients.
+/// Returns the terms of sum_j row_j derivative(Q^j, P^j). A summand that is equal in all stages
+/// comes once, with the sum of the coefficients.
 std::vector<Expression> StageTerms::terms(const Expression& derivative, const Row& row) {
     if (derivative == Expression::integer(0)) return {};
     const std::set<std::string> symbols = symbols_in(derivative);

@@ -1,4 +1,4 @@
-// What the equations of stages are made of: names of the values in them, and sums over them.
+// The terms of stage equations: names of values in stages, and sums over stages.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -26,15 +26,16 @@ struct ImplicitEquation {
 [[nodiscard]] std::set<std::string> symbols_in(const Expression& expression);
 [[nodiscard]] bool occurs_in(const std::string& symbol, const std::vector<Expression>& expressions);
 
-/// The names of the values in one stage of all that varies from stage to stage.
+/// The names of the values in one stage, by the names of variables.
 using StageNames = std::map<std::string, std::string>;
 
-/// For each stage, Q_1 for q, but q_1 where Q or Q_1 is `taken`, and q_stage_1 where that is too.
+/// Returns names for each stage: Q_1 for q, but q_1 where Q or Q_1 is `taken`, and q_stage_1 where
+/// q_1 is taken too.
 [[nodiscard]] std::vector<StageNames> stage_names(const std::vector<std::string>& varying,
                                                   const std::set<std::string>& taken,
                                                   std::size_t stages);
 
-/// A row of coefficients: the numbers and what is written for them, nothing for zero.
+/// A row of coefficients: the numbers and their written forms, which are empty for zero.
 struct Row {
     NumberVector numbers;
     std::vector<std::optional<Expression>> written;
@@ -46,7 +47,7 @@ class StageTerms {
 public:
     explicit StageTerms(std::vector<StageNames> names) : names_(std::move(names)) {}
 
-    /// The name in a stage, whose index is 0-based.
+    /// Returns the name in a stage, whose index is 0-based.
     [[nodiscard]] const std::string& name(const std::string& variable, std::size_t stage) const {
         return names_[stage].at(variable);
     }
@@ -56,21 +57,21 @@ public:
 
     [[nodiscard]] Row written(const NumberVector& row);
 
-    /// sum_j row_j value(Q^j, ...)
+    /// Returns sum_j row_j value(Q^j, ...).
     [[nodiscard]] Expression sum(const Expression& value, const Row& row) {
         return Expression::sum(terms(value, row));
     }
-    /// factor * expression
+    /// Returns factor * expression.
     [[nodiscard]] Expression multiple(const Number& factor, const Expression& expression);
 
-    /// start +- h sum_j row_j derivative(Q^j, ...); the sign is a minus where it falls.
+    /// Returns start +- h sum_j row_j derivative(Q^j, ...); the sign is a minus where `falls`.
     [[nodiscard]] Expression moved(const Expression& start, const Expression& derivative,
                                    const Row& row, bool falls);
 
-    /// T_i = t + c_i h.
+    /// Returns T_i = t + c_i h.
     [[nodiscard]] Equation time(std::size_t stage, const Number& node);
 
-    /// Whether each coefficient so far stands in closed form.
+    /// Whether each coefficient so far has a closed form.
     [[nodiscard]] bool is_exact() const { return is_exact_; }
 
 private:

@@ -18,7 +18,7 @@ namespace hvi::gen {
 
 namespace {
 
-/// Written out by powers of h. Precondition: a number of the field.
+/// Writes a number out by powers of h. Precondition: it is a number of the field.
 Expression written(const Number& number) {
     auto form = number.expanded_form("h");
     HVI_CHECK(form.has_value());
@@ -35,7 +35,7 @@ MapEquations equations(const LinearMap& map) {
     return result;
 }
 
-/// x^T S x/2 + g^T x + constant, term by term, in the variables' names.
+/// Writes x^T S x/2 + g^T x + constant, term by term, in the variables' names.
 Expression polynomial(const QuadraticForm& form, const std::vector<std::string>& names) {
     std::vector<Expression> terms;
     const auto append = [&](const Number& coefficient, std::vector<Expression> variables) {
@@ -90,7 +90,7 @@ std::string obstacle_to_map(const QuadraticProof& proof, bool method_has_closed_
                : proof.obstacle;
 }
 
-/// With more nodes than functions (4.6e) has to determine the P from the V.
+/// Throws MathError where more nodes than functions do not determine the P from the V by (4.6e).
 void check_determined(const Hamiltonian& hamiltonian) {
     const Place place{hamiltonian.source, hamiltonian.expression.range};
     const System system = system_of(hamiltonian, parameter_names(hamiltonian));
@@ -101,7 +101,7 @@ void check_determined(const Hamiltonian& hamiltonian) {
                     place, "take as many nodes as functions");
 }
 
-/// Beside the equations.
+/// Wishes beyond the equations.
 struct StepWishes {
     bool generating;
     std::optional<int> series;
@@ -118,7 +118,7 @@ struct StepWishes {
                     obstacle.empty() ? help : obstacle + "; " + help);
 }
 
-/// The map, and H_d^+ where it is wished.
+/// Adds the map, and H_d^+ where it is wished for.
 template <class Method>
 void add_map(StepEquations& step, const Method& method, const QuadraticForm& H,
              const Ground& ground, const StepWishes& wishes) {
@@ -127,10 +127,11 @@ void add_map(StepEquations& step, const Method& method, const QuadraticForm& H,
         step.generating = equations(generating_function(method, H, ground), variables(step));
 }
 
-/// With the map, or with the equations of the stages.
+/// Adds the map, or the equations of the stages.
 void add_equations(StepEquations& step, const Tableau& tableau, const Ground& ground,
                    const Hamiltonian& hamiltonian, const StepWishes& wishes) {
-    // NOTE: first, since it refuses with their places what has no value or is too long.
+    // NOTE: the gradient comes first, since it refuses undefined and overlong parts with their
+    // places.
     const Gradient slopes = gradient(hamiltonian);
     const QuadraticProof proof = quadratic_form(hamiltonian, ground);
     step.obstacle = obstacle_to_map(proof, has_closed_form(tableau));
@@ -140,7 +141,7 @@ void add_equations(StepEquations& step, const Tableau& tableau, const Ground& gr
     step.stages = stage_equations(tableau, hamiltonian, slopes);
 }
 
-/// The same of the general form: with its map, or with (4.6).
+/// Adds the map of the general form, or (4.6).
 void add_equations(StepEquations& step, const GalerkinRule& rule, const Ground& ground,
                    const Hamiltonian& hamiltonian, const StepWishes& wishes) {
     const Gradient slopes = gradient(hamiltonian);

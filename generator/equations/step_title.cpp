@@ -10,7 +10,7 @@ namespace hvi::gen {
 
 namespace {
 
-/// METHOD has the values of its own parameters.
+/// Returns the words of H or L without parameters of the method, whose values METHOD has.
 template <class Function>
 FunctionWords words_of(const Method& method, const Function& function) {
     FunctionWords words{function.origin, parameter_names(function), function.parameters};

@@ -1,4 +1,4 @@
-// What equations of a step are of: their method, and the values and names of parameters.
+// The title of a step's equations: their method, and the values and names of parameters.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -10,18 +10,18 @@
 namespace hvi::gen {
 
 struct StepTitle {
-    std::string name;    ///< of the method; empty for one given by basis and nodes
-    std::string origin;  ///< METHOD and the Hamiltonian as the command line has them
+    std::string name;    ///< the method's name; empty for one given by basis and nodes
+    std::string origin;  ///< METHOD and the Hamiltonian on the command line
     std::vector<std::string> parameters;  ///< free symbols of H and of the method, sorted
-    std::vector<Parameter> values;        ///< of the others, sorted by name
-    /// Of the general form, in which the velocities have coefficients for unknowns; else empty.
+    std::vector<Parameter> values;        ///< values of the others, sorted by name
+    /// The basis of the general form, whose unknowns are coefficients of velocities; else empty.
     std::vector<Expression> basis;
 };
 
-/// Words of a title about H or L.
+/// The words of a title about H or L.
 struct FunctionWords {
-    std::string origin;                   ///< with the values that the command line gives
-    std::vector<std::string> parameters;  ///< with a value or without
+    std::string origin;                   ///< includes the values that the command line gives
+    std::vector<std::string> parameters;  ///< both known and free ones
     std::vector<Parameter> values;
 };
 

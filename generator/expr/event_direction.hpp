@@ -1,4 +1,4 @@
-// How a function passes through zero where that is an event.
+// Directions in which a function passes through zero at an event.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 

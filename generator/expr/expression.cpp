@@ -20,7 +20,7 @@ Expression make(Kind kind, std::vector<Expression> arguments) {
     return result;
 }
 
-/// A sum or a product without sums in the sum or products in the product.
+/// Makes a sum without sums in it, or a product without products in it.
 Expression make_flat(Kind kind, std::vector<Expression> parts, long neutral) {
     if (parts.empty()) return Expression::integer(neutral);
     if (parts.size() == 1) return std::move(parts.front());

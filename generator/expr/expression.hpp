@@ -1,4 +1,4 @@
-// Expressions as plain data: what the reader makes of a text, and what closed forms are written in.
+// Expressions as plain data, for texts that are read and for closed forms.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -12,15 +12,15 @@
 
 namespace hvi::gen {
 
-/// A mathematical expression. Sums and products are flat, a difference is a sum with a negation in
-/// it and a quotient a product with a reciprocal in it, so that a long text does not make a deep
+/// A mathematical expression. Sums and products are flat. A difference is a sum with a negation in
+/// it, and a quotient a product with a reciprocal in it, so that a long text does not make a deep
 /// tree. Invariants: `number` has digits in `numerator` and `denominator` (no sign, denominator not
-/// zero, lowest terms not required), and in `name` what it is written as where that is a decimal;
-/// `symbol` and `call` have a `name`; `sum` and `product` have at least two arguments; `negation`
-/// and `reciprocal` have one; `power` has two (base, exponent); `call` has one or more. What a
-/// reader of indices returns has besides `element`, a name with its indices as arguments, and
-/// `sum_over`, an index with a name and three arguments (first, last, term); unrolled() leaves none
-/// of them, and what is said of expressions elsewhere is said of those without.
+/// zero, lowest terms not required), and in `name` its text if it is written as a decimal; `symbol`
+/// and `call` have a `name`; `sum` and `product` have at least two arguments; `negation` and
+/// `reciprocal` have one; `power` has two (base, exponent); `call` has one or more. A reader of
+/// indices also returns `element`, a name with its indices as arguments, and `sum_over`, an index
+/// with a name and three arguments (first, last, term). unrolled() leaves none of these, and other
+/// comments on expressions assume expressions without them.
 struct Expression {
     enum class Kind {
         number,
@@ -40,17 +40,18 @@ struct Expression {
     std::string numerator = "0";    ///< number
     std::string denominator = "1";  ///< number
     std::vector<Expression> arguments;
-    Range range;  ///< where it stands in the text it was read from
+    Range range;  ///< the place in the text it was read from
 
     [[nodiscard]] static Expression integer(long value);  ///< a negation when value < 0
     [[nodiscard]] static Expression rational(std::string numerator, std::string denominator);
-    /// A number that is to be written as a decimal: `0.25`, `-1.5e-20` (a product with a power of
-    /// ten).
+    /// Makes a number that is to be written as a decimal: `0.25`, `-1.5e-20` (a product with a
+    /// power of ten).
     [[nodiscard]] static Expression decimal(std::string_view text);
     [[nodiscard]] static Expression symbol(std::string name);
-    /// Of no term it is 0, of one the term itself; sums among the terms are flattened.
+    /// Makes a sum: 0 without terms, the term itself for one. Sums among the terms are flattened.
     [[nodiscard]] static Expression sum(std::vector<Expression> terms);
-    /// Of no factor it is 1, of one the factor itself; products among the factors are flattened.
+    /// Makes a product: 1 without factors, the factor itself for one. Products among the factors
+    /// are flattened.
     [[nodiscard]] static Expression product(std::vector<Expression> factors);
     [[nodiscard]] static Expression negation(Expression argument);
     [[nodiscard]] static Expression reciprocal(Expression argument);
@@ -61,39 +62,39 @@ struct Expression {
                                              Expression term);
 };
 
-/// Same tree, whatever the ranges.
+/// Compares trees without their ranges.
 [[nodiscard]] bool operator==(const Expression& left, const Expression& right);
 
-/// A total order of expressions, whatever the ranges: by their numbers and names in the order in
-/// which they are written, numbers before names, then by what is made of them.
+/// A total order of expressions that ignores ranges: by their numbers and names in the order of
+/// writing, numbers before names, then by their operations.
 [[nodiscard]] bool precedes(const Expression& left, const Expression& right);
 
-/// How many numbers, names and operations it is made of.
+/// Counts the numbers, names and operations.
 [[nodiscard]] std::size_t word_count(const Expression& expression);
 
-/// The expression as the reader of `generator/read` takes it: no blanks, parentheses only where
+/// Returns text that the reader of `generator/read` takes: no blanks, parentheses only where
 /// precedence asks for them. `1/6-5*sqrt(2)/48`, `(pi-2)/(2*pi)`, `cos(2*pi*tau)`.
 [[nodiscard]] std::string to_text(const Expression& expression);
 
-/// The expression with other arguments, in its place: sums and products are flattened, as sum() and
-/// product() make them.
+/// Returns the expression with other arguments, in its place. Sums and products are flattened, as
+/// sum() and product() do.
 [[nodiscard]] Expression with_arguments(Expression expression, std::vector<Expression> arguments);
 
-/// The expression with other names for its symbols; those that are no key keep theirs.
+/// Renames symbols; those that are no key keep their names.
 [[nodiscard]] Expression renamed(const Expression& expression,
                                  const std::map<std::string, std::string>& names);
 
-/// Whether a sum over an index stands in it.
+/// Whether the expression contains a sum over an index.
 [[nodiscard]] bool has_sum(const Expression& expression);
 
-/// The expression with others in the places of its symbols; those that are no key stay, and so do
-/// indices within their sums.
+/// Replaces symbols by expressions; those that are no key stay, and so do indices within their
+/// sums.
 [[nodiscard]] Expression replaced(const Expression& expression,
                                   const std::map<std::string, Expression>& by);
 
-/// The expression in LaTeX's mathematics: `\frac{\pi - 2}{2\pi}`, `\sin\left(w/3\right)`. Names of
-/// Greek letters become these letters, `w_1`, `w1` and `w[1]` an indexed w, `w1_max` one with two
-/// indices, and `w_dot` a w with a dot. A name with a brace in it is LaTeX already.
+/// Returns the expression in LaTeX's mathematics: `\frac{\pi - 2}{2\pi}`, `\sin\left(w/3\right)`.
+/// Names of Greek letters become these letters, `w_1`, `w1` and `w[1]` an indexed w, `w1_max` one
+/// with two indices, and `w_dot` a w with a dot. A name with a brace in it is LaTeX already.
 [[nodiscard]] std::string to_latex(const Expression& expression);
 
 }  // namespace hvi::gen

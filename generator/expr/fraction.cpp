@@ -1,4 +1,4 @@
-// Taking a product apart into what stands above and below the bar.
+// Splits a product into numerator and denominator.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/expr/fraction.hpp"
 

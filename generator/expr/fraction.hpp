@@ -1,4 +1,4 @@
-// How a product is written: a sign, what stands above the bar, and what stands below.
+// The written form of a product: a sign, a numerator, and a denominator.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -19,7 +19,7 @@ struct Fraction {
     std::vector<WrittenFactor> above;
     std::vector<WrittenFactor> below;
 
-    /// Whether it is a single factor, or 1: something that needs no parentheses as an exponent.
+    /// Whether it is a single factor, or 1, which needs no parentheses as an exponent.
     [[nodiscard]] bool is_simple() const { return below.empty() && above.size() <= 1; }
 };
 
@@ -27,7 +27,7 @@ struct Fraction {
 /// `expression`, which must outlive it.
 [[nodiscard]] Fraction as_fraction(const Expression& expression);
 
-/// The expression when the factor is one of the given kind, else null.
+/// Returns the expression when the factor is one of the given kind, else null.
 [[nodiscard]] const Expression* get_if_kind(const WrittenFactor& factor, Expression::Kind kind);
 
 }  // namespace hvi::gen

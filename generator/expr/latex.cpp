@@ -12,8 +12,8 @@ namespace hvi::gen {
 
 namespace {
 
-/// Fractions are stacked, or written with a slash where the type is small or stands in a line:
-/// in exponents and in arguments of functions.
+/// Styles of fractions: stacked, or with a slash in small type and within a line, that is in
+/// exponents and in arguments of functions.
 enum class Bar { stacked, slash };
 
 std::string latex(const Expression& expression, Bar bar);
@@ -33,7 +33,7 @@ bool is_greek(std::string_view word) {
     return std::find(letters.begin(), letters.end(), word) != letters.end();
 }
 
-/// A word of a name: a letter, a Greek letter, digits, or a longer word in italics.
+/// Returns a word of a name: a letter, a Greek letter, digits, or a longer word in italics.
 std::string word_latex(std::string_view word) {
     if (is_greek(word)) return "\\" + std::string(word);
     if (word.size() == 1 && word != "_") return std::string(word);
@@ -43,8 +43,8 @@ std::string word_latex(std::string_view word) {
     return "\\mathit{" + escaped + "}";
 }
 
-/// The parts of a name that `_` separates; digits at the end of the first are a part of their own.
-/// Only the name itself when one of them is empty.
+/// Splits a name at `_`; digits at the end of the first part are a part of their own. Returns only
+/// the name itself when a part is empty.
 std::vector<std::string_view> words_of(std::string_view name) {
     std::vector<std::string_view> words;
     for (std::size_t begin = 0; begin <= name.size();) {
@@ -62,9 +62,9 @@ std::vector<std::string_view> words_of(std::string_view name) {
     return whole ? std::vector{name} : words;
 }
 
-/// `w1`, `w_1` and `w[1]` are w with an index, `w1_max` and `w_max[1]` are w with two, and `w1_dot`
-/// is w with an index and a dot. What stands in brackets comes first, as the digits do: X_2[1],
-/// like X1_2, is of x_1 in stage 2.
+/// Returns a symbol. `w1`, `w_1` and `w[1]` are w with an index, `w1_max` and `w_max[1]` are w with
+/// two, and `w1_dot` is w with an index and a dot. Indices in brackets come first, as digits do:
+/// X_2[1], like X1_2, is the value of x_1 in stage 2.
 std::string symbol_latex(std::string_view name) {
     if (name.find('{') != std::string_view::npos) return std::string(name);
     const std::size_t bracket = std::min(name.find('['), name.size());
@@ -92,7 +92,7 @@ std::string call_latex(const Expression& call, const std::string& exponent = {})
     return text + in_sized_parentheses(arguments);
 }
 
-/// x where a < b, y elsewhere.
+/// Returns `x` where a < b, `y` elsewhere.
 std::string if_latex(const Expression& call) {
     const auto argument = [&](std::size_t k) { return latex(call.arguments[k], Bar::slash); };
     const std::string sign = call.name == "if<" ? " < " : " \\le ";
@@ -113,7 +113,8 @@ bool has_name(const Expression& call) {
     return call.name != "exp" && call.name != "abs" && !is_if(call.name);
 }
 
-/// Only a sine squared is written with the exponent inside: \sin^{-1} would be taken for the arc.
+/// Returns a power. Only a squared sine has the exponent inside: \sin^{-1} would be taken for the
+/// arc.
 std::string power_latex(const Expression& base, const Expression& exponent) {
     const std::string raised = latex(exponent, Bar::slash);
     const bool root = base.kind == Expression::Kind::call && base.name == "sqrt";
@@ -127,7 +128,7 @@ std::string power_latex(const Expression& base, const Expression& exponent) {
     return (word ? text : in_sized_parentheses(text)) + "^{" + raised + "}";
 }
 
-/// `x_{k-1}`; mod(k-2,N) is (k-2) \\bmod N.
+/// Returns `x_{k-1}`; mod(k-2,N) is (k-2) \\bmod N.
 std::string element_latex(const Expression& element) {
     const std::string name = symbol_latex(element.name);
     std::string indices;
@@ -139,7 +140,7 @@ std::string element_latex(const Expression& element) {
                : name.substr(0, own + 2) + indices + "," + name.substr(own + 2);
 }
 
-/// (k-2) \bmod N
+/// Returns (k-2) \bmod N.
 std::string mod_latex(const Expression& call) {
     const std::string of = latex(call.arguments[0], Bar::slash);
     const bool is_sum = call.arguments[0].kind == Expression::Kind::sum;
@@ -183,7 +184,7 @@ bool ends_in_command(const std::string& text) {
     return k > 0 && k < text.size() && text[k - 1] == '\\';
 }
 
-/// Factors side by side, with a dot where two numbers would meet.
+/// Returns factors side by side, with a dot where two numbers would meet.
 std::string factors_latex(const std::vector<WrittenFactor>& factors) {
     if (factors.empty()) return "1";
     std::string text;
@@ -200,7 +201,7 @@ std::string factors_latex(const std::vector<WrittenFactor>& factors) {
     return text;
 }
 
-/// Above or below a bar, where a lone sum needs no parentheses.
+/// Returns factors above or below a bar, where a lone sum needs no parentheses.
 std::string between_braces(const std::vector<WrittenFactor>& factors) {
     const Expression* lone_sum =
         factors.size() == 1 ? get_if_kind(factors[0], Expression::Kind::sum) : nullptr;
@@ -208,7 +209,7 @@ std::string between_braces(const std::vector<WrittenFactor>& factors) {
            "}";
 }
 
-/// Without the sign.
+/// Returns the fraction without its sign.
 std::string fraction_latex(const Fraction& fraction, Bar bar) {
     if (fraction.is_simple() && !fraction.above.empty())
         if (const auto* sum = get_if_kind(fraction.above[0], Expression::Kind::sum_over))

@@ -7,12 +7,12 @@
 
 namespace hvi::gen {
 
-/// NOTE: `mod` stands in indices.
+/// NOTE: `mod` stands in indices only.
 bool is_own_function(std::string_view name) {
     return find_function(name) == nullptr && name != "mod";
 }
 
-/// NOTE: no function is called as a derivative is; see generator/read/own_functions.cpp.
+/// NOTE: no function has the name of a derivative; see generator/read/own_functions.cpp.
 std::string_view without_derivatives(std::string_view name) {
     const std::size_t end = name.find_last_not_of("0123456789");
     const bool is_derivative =

@@ -1,4 +1,4 @@
-// Functions of the user's own, which C++ knows and algebra does not.
+// The user's own functions, which C++ knows and algebra does not.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -12,20 +12,20 @@
 
 namespace hvi::gen {
 
-/// How many arguments each of them takes, by its name.
+/// The numbers of arguments of own functions, by name.
 using OwnArguments = std::map<std::string, std::size_t, std::less<>>;
 
-/// Whether a function is one, or a derivative of one: what is none of functions.hpp.
+/// Whether the name is an own function or a derivative of one: it is not in functions.hpp.
 [[nodiscard]] bool is_own_function(std::string_view name);
 
-/// The derivative by argument number k, 0, 1, ..., of `V`, or of its first derivative: `V_1`, and
-/// `V_12` whichever of the two comes first. Precondition: `name` is no second derivative.
+/// Returns the name of a derivative by argument number k, 0, 1, ...: `V_1` for `V`, and `V_12` for
+/// its first derivatives in either order. Precondition: `name` is no second derivative.
 [[nodiscard]] std::string own_derivative(std::string_view name, std::size_t k);
 
-/// `V` of `V`, `V_1` and `V_12`.
+/// Returns `V` for `V`, `V_1` and `V_12`.
 [[nodiscard]] std::string_view without_derivatives(std::string_view name);
 
-/// The first call of one in an expression, or null.
+/// Returns the first call of an own function in an expression, or null.
 [[nodiscard]] const Expression* own_call_in(const Expression& expression);
 
 }  // namespace hvi::gen

@@ -1,4 +1,4 @@
-// Where expressions stand.
+// Places of expressions.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -6,7 +6,8 @@
 
 namespace hvi::gen {
 
-/// An expression without ranges: what is made of parts of several texts stands in none of them.
+/// Returns the expression without ranges: parts of several texts make an expression that stands in
+/// none.
 [[nodiscard]] Expression without_places(Expression expression);
 
 }  // namespace hvi::gen

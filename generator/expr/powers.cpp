@@ -15,7 +15,7 @@ struct BaseAndExponent {
     long exponent = 1;
 };
 
-/// Whole exponents from 2 to 99, so that their sums are small.
+/// Returns whole exponents from 2 to 99, so that their sums are small.
 std::optional<long> small_exponent(const Expression& exponent) {
     const bool is_small = exponent.kind == Expression::Kind::number && exponent.name.empty() &&
                           exponent.denominator == "1" && exponent.numerator.size() <= 2;

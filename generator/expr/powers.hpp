@@ -6,7 +6,7 @@
 
 namespace hvi::gen {
 
-/// The expression with x^2 for x*x, and x^3 for x^2*x: factors of a product that are equal come
+/// Returns the expression with x^2 for x*x, and x^3 for x^2*x: equal factors of a product come
 /// once.
 [[nodiscard]] Expression with_powers(Expression expression);
 

@@ -1,4 +1,4 @@
-// Steps of another variable than time.
+// Time as a coordinate, for steps of another variable.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -8,11 +8,11 @@
 
 namespace hvi::gen {
 
-/// H of a scene in which time is a coordinate, since its steps are of another variable.
+/// The H of a scene in which time is a coordinate, since its steps are of another variable.
 struct ScaledTime {
-    std::size_t coordinate;  ///< that is the time
-    Expression energy;  ///< H before, and where it depends on the time the momentum of that too
-    bool drifts_first;  ///< explicit methods begin with a drift
+    std::size_t coordinate;  ///< the number of the coordinate time
+    Expression energy;       ///< the former H; plus the time's momentum if H depends on time
+    bool drifts_first;       ///< explicit methods begin with a drift
 };
 
 }  // namespace hvi::gen

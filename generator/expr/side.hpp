@@ -4,7 +4,7 @@
 
 namespace hvi::gen {
 
-/// What a system is given by.
+/// The function that defines a system.
 enum class Side {
     hamiltonian,  ///< H(q, p)
     lagrangian,   ///< L(q, v)

@@ -1,4 +1,4 @@
-// Spaces that coordinates are points of.
+// Spaces of coordinates.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -7,7 +7,7 @@
 
 namespace hvi::gen {
 
-/// The space that an element of a family is a point of.
+/// The space of an element of a family.
 struct Space {
     std::string_view name;
     std::size_t point = 1;    ///< numbers of a point
@@ -16,7 +16,7 @@ struct Space {
     friend bool operator==(const Space&, const Space&) = default;
 };
 inline constexpr Space real_line{"number", 1, 1};
-/// A matrix row by row, and its turns about the axes of the body.
+/// Rotations: a matrix row by row, and its turns about the axes of the body.
 inline constexpr Space rotations_of_space{"rotation", 9, 3};
 inline constexpr Space angular_momenta{"angular momentum", 3, 3};
 

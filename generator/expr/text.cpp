@@ -1,4 +1,4 @@
-// Expressions as text that the reader takes back.
+// Writes expressions as text that the reader takes back.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <cstddef>
 #include <variant>
@@ -12,7 +12,7 @@ namespace {
 
 std::string parenthesised(const std::string& text) { return "(" + text + ")"; }
 
-/// Whether it is written as `2`, `x`, `x[1]` or `sin(x)`.
+/// Whether the fraction is written as `2`, `x`, `x[1]` or `sin(x)`.
 bool is_word(const Fraction& fraction) {
     if (fraction.negative || !fraction.is_simple()) return false;
     if (fraction.above.empty()) return true;
@@ -24,25 +24,26 @@ bool is_word(const Fraction& fraction) {
            get_if_kind(factor, Expression::Kind::call) != nullptr;
 }
 
-/// The sum that the fraction is, like `1*(a+b)`, which needs no parentheses; or null.
+/// Returns the sum that the fraction is, like `1*(a+b)`, which needs no parentheses; or null.
 const Expression* lone_sum(const Fraction& fraction) {
     const bool lone = !fraction.negative && fraction.below.empty() && fraction.above.size() == 1;
     return lone ? get_if_kind(fraction.above.front(), Expression::Kind::sum) : nullptr;
 }
 
-/// A base must be a single word; all else gets parentheses.
+/// Returns a base: a single word, or else in parentheses.
 std::string base_text(const Expression& base) {
     return is_word(as_fraction(base)) ? to_text(base) : parenthesised(to_text(base));
 }
 
-/// `^` binds to the right and takes a sign, so that `2^-x^2` needs no parentheses.
+/// Returns an exponent. `^` binds to the right and takes a sign, so that `2^-x^2` needs no
+/// parentheses.
 std::string exponent_text(const Expression& exponent) {
     const Fraction fraction = as_fraction(exponent);
     const bool simple = fraction.is_simple() && lone_sum(fraction) == nullptr;
     return simple ? to_text(exponent) : parenthesised(to_text(exponent));
 }
 
-/// `if(a<b,x,y)`
+/// Returns `if(a<b,x,y)`.
 std::string if_text(const Expression& call) {
     const auto argument = [&](std::size_t k) { return to_text(call.arguments[k]); };
     return "if(" + argument(0) + call.name.substr(2) + argument(1) + "," + argument(2) + "," +
@@ -57,7 +58,7 @@ std::string call_text(const Expression& call) {
     return text + ")";
 }
 
-/// `x[i+1]`, or with several indices `u[i,j]`.
+/// Returns `x[i+1]`, or with several indices `u[i,j]`.
 std::string element_text(const Expression& element) {
     std::string text = element.name + "[";
     for (std::size_t k = 0; k < element.arguments.size(); ++k)
@@ -92,7 +93,7 @@ std::string factors_text(const std::vector<WrittenFactor>& factors) {
     return text;
 }
 
-/// Without the sign.
+/// Returns the fraction without its sign.
 std::string fraction_text(const Fraction& fraction) {
     const std::string above = factors_text(fraction.above);
     if (fraction.below.empty()) return above;

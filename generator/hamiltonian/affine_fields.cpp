@@ -12,7 +12,7 @@ namespace {
 using GiNaC::ex;
 using GiNaC::numeric;
 
-/// The rows of C, and d behind each.
+/// The rows of C, with d behind each.
 using AffineRows = std::map<std::size_t, SparseVector>;
 
 AffineRows rows_of(const AffineUnknowns& unknowns, const SparseVector& field) {
@@ -56,7 +56,7 @@ bool has_numbers_alone(const SparseVector& field) {
                        [](const auto& entry) { return GiNaC::is_a<numeric>(entry.second); });
 }
 
-/// NOTE: which sign a greatest common divisor has changes from run to run.
+/// NOTE: the sign of a greatest common divisor changes from run to run.
 bool wants_other_sign(const Algebra& algebra, const ex& value) {
     if (GiNaC::is_a<numeric>(value)) return GiNaC::ex_to<numeric>(value).is_negative();
     const Expression one = algebra.written(value), other = algebra.written((-value).expand());

@@ -9,16 +9,16 @@
 
 namespace hvi::gen {
 
-/// Which number stands where: d first, then C above its diagonal, on it, and below. What stands
-/// behind is free in the solutions of equations: translations have no C, rotations are about the
-/// origin where they can be, and turn x to y, not y to x.
+/// The order of the unknowns: d first, then the entries of C above its diagonal, on it, and below
+/// it. Later unknowns stay free in the solutions of equations. So translations have no C, and
+/// rotations are about the origin where they can be, and turn x to y, not y to x.
 class AffineUnknowns {
 public:
     explicit AffineUnknowns(std::size_t n);
 
     [[nodiscard]] std::size_t dimension() const { return n_; }
     [[nodiscard]] std::size_t count() const { return n_ + entries_.size(); }
-    /// Row and column of C. Precondition: number >= dimension().
+    /// Returns row and column in C. Precondition: number >= dimension().
     [[nodiscard]] std::pair<std::size_t, std::size_t> entry(std::size_t number) const {
         return entries_[number - n_];
     }
@@ -32,18 +32,19 @@ private:
     std::vector<std::size_t> numbers_;
 };
 
-/// Whole numbers or polynomials without a common factor, the last of them positive, or as one would
-/// write it. NOTE: where they are other functions they stay fractions.
+/// Multiplies a field so that its entries are whole numbers or polynomials without a common factor.
+/// The last entry becomes positive, or gets the sign with which one would write it. NOTE: entries
+/// that are other functions stay fractions.
 [[nodiscard]] SparseVector without_denominators(const Algebra& algebra, const SparseVector& field);
 
 [[nodiscard]] bool is_translation(const AffineUnknowns& unknowns, const SparseVector& field);
 
-/// Of p (C q + d): C1 C2 - C2 C1, and C1 d2 - C2 d1.
+/// Returns the bracket of two fields p (C q + d): C1 C2 - C2 C1, and C1 d2 - C2 d1.
 [[nodiscard]] SparseVector poisson_bracket(const AffineUnknowns& unknowns, const SparseVector& a,
                                            const SparseVector& b);
 
 /// Whether C^3 = -c C with c > 0, and d is C times a vector where it is not 0: then the flow is
-/// periodic. Of numbers alone.
+/// periodic. Decides it for entries that are numbers only.
 [[nodiscard]] bool is_rotation(const AffineUnknowns& unknowns, const SparseVector& field);
 
 }  // namespace hvi::gen

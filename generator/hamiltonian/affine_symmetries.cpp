@@ -21,9 +21,9 @@ using GiNaC::numeric;
 using GiNaC::symbol;
 
 constexpr std::size_t most_brackets = 24;     ///< symmetries whose brackets are written down
-constexpr std::size_t most_translations = 8;  ///< that are paired to turn what is between them
+constexpr std::size_t most_translations = 8;  ///< translations that are paired to turn their planes
 constexpr std::size_t most_symbolic = 24;     ///< degrees of freedom with parameters as symbols
-constexpr std::size_t most_symbols = 12;      ///< parameters among these
+constexpr std::size_t most_symbols = 12;      ///< symbols among these parameters
 constexpr const char* too_long = "the derivatives have too many terms for it to be decided";
 
 /// H or L with its derivatives.
@@ -39,7 +39,7 @@ struct FunctionAndSlopes {
 
     [[nodiscard]] std::size_t n() const { return q.size(); }
 
-    /// p, or dL/dv.
+    /// Returns p, or dL/dv.
     [[nodiscard]] ex momentum(std::size_t i) const {
         return is_lagrangian ? by_fibre[i] : fibre[i];
     }
@@ -55,7 +55,7 @@ private:
     }
 };
 
-/// Values of the functions whose relations are looked for.
+/// Returns the values of the functions for which relations are sought.
 Sampler sampler(const FunctionAndSlopes& function, const AffineUnknowns& unknowns) {
     std::vector<Expression> by_q, by_fibre;
     for (const ex& slope : function.by_q) by_q.push_back(function.algebra.written(slope));
@@ -84,7 +84,7 @@ Sampler sampler(const FunctionAndSlopes& function, const AffineUnknowns& unknown
     };
 }
 
-/// By all of these; nothing where one is too long.
+/// Returns the derivatives of a function by each variable; nothing where one is too long.
 std::optional<std::vector<MonomialSum>> slopes(Monomials& monomials, const ex& of,
                                                const std::vector<symbol>& by) {
     std::vector<MonomialSum> result;
@@ -96,7 +96,7 @@ std::optional<std::vector<MonomialSum>> slopes(Monomials& monomials, const ex& o
     return result;
 }
 
-/// How F changes along each field: F_qi q_j - F_pj p_i, or F_qi q_j + F_vi v_j; and F_qi.
+/// Returns the change of F along each field: F_qi q_j - F_pj p_i, or F_qi q_j + F_vi v_j; and F_qi.
 std::optional<std::vector<MonomialSum>> changes(Monomials& monomials, const ex& F,
                                                 const FunctionAndSlopes& function,
                                                 const AffineUnknowns& unknowns) {
@@ -118,8 +118,8 @@ std::optional<std::vector<MonomialSum>> changes(Monomials& monomials, const ex& 
     return result;
 }
 
-/// NOTE: derivatives do not see jumps. Where there may be one nothing may change either: that is
-/// asked at once, beside a factor that is nowhere else.
+/// Returns the functions for which relations are sought. NOTE: derivatives do not see jumps. So the
+/// argument of a jump must not change either; its equations are added with a factor of their own.
 std::optional<std::vector<MonomialSum>> functions(Monomials& monomials,
                                                   const FunctionAndSlopes& function,
                                                   const AffineUnknowns& unknowns) try {
@@ -144,10 +144,10 @@ bool is_negative(const ex& value) { return value.info(GiNaC::info_flags::negativ
 struct Candidate {
     SparseVector field;
     Expression momentum_map;
-    std::size_t words = 0;  ///< of the momentum map
+    std::size_t words = 0;  ///< words of the momentum map
 };
 
-/// All in one algebra.
+/// The search for symmetries in one algebra.
 class Search {
 public:
     explicit Search(FunctionAndSlopes function)
@@ -170,8 +170,8 @@ public:
     [[nodiscard]] const Relations& found() const { return relations_; }
     [[nodiscard]] const Algebra& algebra() const { return function_.algebra; }
 
-    /// Symmetries that one would name: translations, then those with the shortest momentum maps.
-    /// NOTE: all that were found, where it is not known which of them are independent.
+    /// Returns the symmetries that one would name: translations, then those with the shortest
+    /// momentum maps. NOTE: returns all symmetries where their independence is not known.
     [[nodiscard]] std::vector<Candidate> named() const {
         std::vector<Candidate> found;
         for (const SparseVector& field : relations_.basis) found.push_back(candidate(field));
@@ -192,7 +192,7 @@ public:
         return result;
     }
 
-    /// In the order of the coordinates.
+    /// Returns the components of a field in the order of the coordinates.
     [[nodiscard]] std::vector<Expression> generator(const SparseVector& field) const {
         std::vector<Expression> result;
         for (const ex& component : components(field))
@@ -200,7 +200,8 @@ public:
         return result;
     }
 
-    /// Coefficients of the brackets in the basis; nothing where one is not seen to be in it.
+    /// Returns the coefficients of the brackets in the basis; nothing where one is not seen to be
+    /// in it.
     [[nodiscard]] std::optional<std::vector<std::vector<std::vector<ex>>>>
     constants(const std::vector<Candidate>& basis) const try {
         const std::size_t m = basis.size(), behind = unknowns_.count();
@@ -222,7 +223,7 @@ public:
         return result;
     } catch (const UndecidedEntry&) { return {}; }
 
-    /// Whether the fields are independent for these values of the parameters.
+    /// Whether the fields are independent for the given values of the parameters.
     [[nodiscard]] bool stays_independent(const std::vector<Candidate>& basis,
                                          const Algebra& with_values) const {
         try {
@@ -239,7 +240,7 @@ public:
         } catch (const UndecidedEntry&) { return false; }
     }
 
-    /// NOTE: the symbols of two algebras differ.
+    /// Puts values in for parameters. NOTE: the symbols of two algebras differ.
     [[nodiscard]] ex at_values(const ex& expression, const Algebra& with_values) const {
         GiNaC::exmap values;
         for (const symbol& parameter : function_.algebra.parameters()) {
@@ -285,8 +286,8 @@ private:
         return with_words(field, written(sum));
     }
 
-    /// Where all coordinates move along one vector with numbers for entries: how fast, and the
-    /// vector. Then the momentum map is a product.
+    /// Returns the speed and the direction of a field that moves all coordinates along one vector
+    /// of numbers; nothing for other fields. The momentum map of such a field is a product.
     [[nodiscard]] std::optional<std::pair<ex, SparseVector>>
     common_direction(const SparseVector& field) const {
         if (is_translation(unknowns_, field)) return {};
@@ -309,7 +310,7 @@ private:
         return {std::move(field), std::move(momentum_map), words};
     }
 
-    /// d2H/dp2 inverted, or d2L/dv2, where it is constant and has no entries beside its diagonal.
+    /// Returns the inverse of d2H/dp2, or d2L/dv2, where it is constant and diagonal.
     [[nodiscard]] std::optional<std::vector<ex>> masses() const {
         std::vector<ex> result;
         for (std::size_t i = 0; i < function_.n(); ++i)
@@ -323,8 +324,9 @@ private:
         return result;
     }
 
-    /// Where H is p^T K p/2 + U and may be translated along a and b, M = K^-1 times their centre of
-    /// mass moves as a free particle does, and may be turned from a to b:
+    /// Adds turns of the centre of mass. Where H is p^T K p/2 + U and may be translated along a and
+    /// b, the centre of mass, M = K^-1 times a and b, moves as a free particle does, and may be
+    /// turned from a to b:
     ///
     ///     q' = b (a M q) - a (b M q),    p q' = (a M q)(b p) - (b M q)(a p).
     void add_turned_centres(std::vector<Candidate>& candidates) const {
@@ -427,7 +429,8 @@ FunctionAndSlopes function(const Mechanics& mechanics) {
     return {Algebra(mechanics), std::is_same_v<Mechanics, Lagrangian>};
 }
 
-/// With symbols for parameters where as many symmetries are found with them.
+/// Finds the symmetries. Keeps parameters as symbols where this finds as many symmetries as their
+/// values do.
 template <class Mechanics>
 AffineSymmetries found(const Mechanics& mechanics) {
     const Progress::Stage stage("looking for symmetries");

@@ -1,4 +1,4 @@
-// From an expression to GiNaC's.
+// Converts expressions to GiNaC's.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/hamiltonian/algebra.hpp"
 
@@ -23,18 +23,19 @@ using GiNaC::ex;
 using GiNaC::numeric;
 using Kind = Expression::Kind;
 
-/// Limits on what is worth computing: beyond them a slip is likelier than a Hamiltonian.
+/// Limits for expressions: beyond them a slip is likelier than a Hamiltonian.
 constexpr long most_exponent = 1000;
 constexpr double most_digits = 10000;
 constexpr double most_words_of_derivatives = 3e5;
 
-/// How many words an expression has, and all its first derivatives together have at most.
+/// Estimated words of an expression, and of all its first derivatives together.
 struct Size {
     double words = 1;
     double derivatives = 0;
 };
 
-/// In the derivative of a product each factor stands once for each of the others.
+/// Estimates the size. In the derivative of a product each factor stands once for each other
+/// factor.
 Size size(const Expression& expression) {
     if (expression.kind == Kind::symbol) return {1, 1};
     Size sum;
@@ -50,7 +51,7 @@ Size size(const Expression& expression) {
     return sum;
 }
 
-/// Decimal digits of the longest number in front of a term.
+/// Returns the decimal digits of the longest coefficient.
 double digits_in(const ex& expression) {
     if (GiNaC::is_a<numeric>(expression)) {
         const auto& number = GiNaC::ex_to<numeric>(expression);
@@ -67,7 +68,7 @@ bool has_symbols(const ex& expression) {
            std::any_of(expression.begin(), expression.end(), has_symbols);
 }
 
-/// GiNaC's expressions for ours.
+/// Converts our expressions to GiNaC's.
 class Reader {
 public:
     Reader(const Algebra& algebra, std::shared_ptr<const Source> source,
@@ -83,7 +84,8 @@ public:
     }
 
 private:
-    /// NOTE: what is made of other expressions has no range, and stands somewhere in the text.
+    /// Returns the expression's place. NOTE: an expression made of others has no range; the whole
+    /// text stands for it.
     [[nodiscard]] Place place(const Expression& expression) const {
         const Range range = expression.range;
         const bool is_known = source_ == nullptr || range.begin < range.end;
@@ -167,7 +169,8 @@ private:
         if (digits_in(base) * size.to_double() > most_digits) refuse_size(expression);
     }
 
-    /// NOTE: what the text has symbols in may be a number all the same: q/q - cbrt(3).
+    /// Checks that a value is real. NOTE: an expression with symbols may be a number all the same:
+    /// q/q - cbrt(3).
     [[nodiscard]] ex real(ex value, const Expression& expression) const {
         if (value.has(GiNaC::I)) refuse_complex(expression);
         if (GiNaC::is_a<numeric>(value) || has_symbols(value)) return value;
@@ -195,7 +198,7 @@ void check_size(const Expression& expression, const Place& whole) {
     throw InputError("the derivatives of this Hamiltonian are too long to be written out", whole);
 }
 
-/// As text that sorts as the number does.
+/// Returns text that sorts as the number does.
 std::string padded(std::size_t number) {
     std::ostringstream text;
     text << std::setw(4) << std::setfill('0') << number;

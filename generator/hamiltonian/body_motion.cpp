@@ -17,8 +17,8 @@ using GiNaC::symbol;
 
 constexpr slong bits = 512;
 
-/// n R of the quaternion w, x, y, z with n = w^2 + x^2 + y^2 + z^2, row by row, from a sum of
-/// products: add(entry, factor, a, b) adds factor a b.
+/// Computes n R of the quaternion w, x, y, z with n = w^2 + x^2 + y^2 + z^2, row by row, as a sum
+/// of products: add(entry, factor, a, b) adds factor a b to an entry.
 template <class Number, class Add>
 void add_rotation(const std::array<Number, 4>& q, Add add) {
     for (std::size_t i = 0; i < 3; ++i) {
@@ -36,7 +36,7 @@ void add_rotation(const std::array<Number, 4>& q, Add add) {
     }
 }
 
-/// A number in (0, 2), another one each time.
+/// Returns the next number in (0, 2).
 Ball number(std::size_t& state) {
     state = (state * 16807) % 2147483647;
     return ball_of_rational(std::to_string(state % 997 + 1) + "/500", bits);

@@ -1,4 +1,4 @@
-// The motion of rotating bodies, for what is decided exactly of it.
+// The motion of rotating bodies, for exact decisions about it.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -10,7 +10,7 @@
 
 namespace hvi::gen {
 
-/// H(q, R, p, L), with
+/// The motion of H(q, R, p, L), with
 ///
 ///     q' = H_p, p' = -H_q, R' = R hat Omega, L' = L x Omega - D,
 ///
@@ -19,7 +19,7 @@ class BodyMotion {
 public:
     using Triple = std::vector<GiNaC::ex>;
 
-    /// Throws what Algebra throws. Precondition: there are rotations.
+    /// Throws as Algebra does. Precondition: there are rotations.
     explicit BodyMotion(const Hamiltonian& hamiltonian);
 
     [[nodiscard]] Algebra& algebra() { return algebra_; }
@@ -29,7 +29,7 @@ public:
 
     [[nodiscard]] const GiNaC::symbol& q(std::size_t i) const { return variable(i); }
     [[nodiscard]] const GiNaC::symbol& p(std::size_t i) const { return variable(n_ + 9 * m_ + i); }
-    /// Entry i, j of rotation r, from 0.
+    /// Returns entry i, j of rotation r, from 0.
     [[nodiscard]] const GiNaC::symbol& R(std::size_t r, std::size_t i, std::size_t j) const {
         return variable(n_ + 9 * r + 3 * i + j);
     }
@@ -40,19 +40,20 @@ public:
     [[nodiscard]] GiNaC::ex by(const GiNaC::ex& function, const GiNaC::symbol& variable) const {
         return algebra_.derivative(function, variable);
     }
-    /// D of a function.
+    /// Returns D of a function.
     [[nodiscard]] Triple by_turns(const GiNaC::ex& function, std::size_t r) const;
-    /// Its derivatives by L.
+    /// Returns the derivatives of a function by L.
     [[nodiscard]] Triple by_momentum(const GiNaC::ex& function, std::size_t r) const;
 
-    /// {I, H}, the derivative of I along the motion.
+    /// Returns {I, H}, the derivative of I along the motion.
     [[nodiscard]] GiNaC::ex bracket(const GiNaC::ex& I) const;
 
-    /// Whether a function is zero for all rotations: proved where it is so for all matrices, or
-    /// when those of quaternions are put in; refuted by enclosures at rotations.
+    /// Whether a function is zero for all rotations. It is proved where the function is zero for
+    /// all matrices, or for the rotations of all quaternions; it is refuted by enclosures at
+    /// rotations.
     [[nodiscard]] Vanishing vanishes(const GiNaC::ex& function) const;
 
-    /// The same point with a rotation in place of each matrix.
+    /// Replaces each matrix in a point by a rotation.
     [[nodiscard]] SymbolValues with_rotations(SymbolValues point) const;
 
 private:

@@ -18,7 +18,7 @@ namespace {
 
 using GiNaC::ex;
 
-/// What a symmetry is made of, by numbers: d and C of the coordinates, then the omega of all
+/// The unknowns of a symmetry in their order: d and C of the coordinates, then the omega of all
 /// rotations, then the eta.
 class BodyUnknowns {
 public:
@@ -45,7 +45,7 @@ private:
     std::size_t rotations_;
 };
 
-/// By how much H changes along one of them, and the velocity of an entry of R.
+/// Changes of H along unit fields, one for each unknown, and velocities of the entries of R.
 class BodyFields {
 public:
     explicit BodyFields(const BodyMotion& motion) : motion_(motion), unknowns_(motion) {}
@@ -74,7 +74,7 @@ public:
         return motion_.by_turns(H, r)[a] + Omega[b] * motion_.L(r, c) - Omega[c] * motion_.L(r, b);
     }
 
-    /// Of entry i, j of rotation r: of hat(e_a) R, or of R hat(e_a).
+    /// Returns the velocity of entry i, j of rotation r: the entry of hat(e_a) R, or of R hat(e_a).
     [[nodiscard]] ex velocity(std::size_t number, std::size_t r, std::size_t i,
                               std::size_t j) const {
         const auto [is_of_body, rotation, a] = unknowns_.turn(number);
@@ -101,7 +101,7 @@ public:
         return sum;
     }
 
-    /// Of all coordinates, the entries of rotations among them.
+    /// Returns the velocities of all coordinates, including the entries of rotations.
     [[nodiscard]] std::vector<Expression> generator(const SparseVector& field) const {
         const std::size_t n = motion_.coordinates();
         std::vector<ex> components(n + 9 * motion_.rotations());
@@ -134,7 +134,7 @@ private:
     BodyUnknowns unknowns_;
 };
 
-/// Those unknowns that relations solve for: all but the last of each.
+/// Returns the unknowns that relations solve for: all but the last of each relation.
 std::vector<std::size_t> solved_for(const std::vector<SparseVector>& basis, std::size_t count) {
     std::set<std::size_t> free;
     for (const SparseVector& relation : basis) free.insert(relation.rbegin()->first);
@@ -174,8 +174,8 @@ Found solved(const BodyMotion& motion, const BodyFields& fields) {
     return found;
 }
 
-/// Of momentum maps: as in a flat space, omega_1 x omega_2 of those of space, and the opposite of
-/// those of a body.
+/// Returns the bracket of momentum maps. It is that of affine fields for coordinates, omega_1 x
+/// omega_2 for turns of space, and its opposite for turns of a body.
 SparseVector bracket(const BodyUnknowns& unknowns, const SparseVector& a, const SparseVector& b) {
     const std::size_t count = unknowns.affine().count();
     const auto affine = [&](const SparseVector& all) {
@@ -197,7 +197,7 @@ SparseVector bracket(const BodyUnknowns& unknowns, const SparseVector& a, const 
     return result;
 }
 
-/// Nothing where a bracket is not seen to be in the basis.
+/// Returns nothing where a bracket is not seen to be in the basis.
 std::optional<SymmetryAlgebra> algebra_of(const Algebra& algebra, const BodyUnknowns& unknowns,
                                           const std::vector<SparseVector>& basis) try {
     const std::size_t size = basis.size(), behind = unknowns.count();
@@ -259,7 +259,7 @@ AffineSymmetries found_with(const Hamiltonian& hamiltonian) {
     return named(motion, fields, solved(motion, fields));
 }
 
-/// Whether it is a sum of multiples of the functions and a constant.
+/// Whether I is a sum of multiples of the functions and a constant.
 bool is_made_of(const Algebra& algebra, const ex& I, const std::vector<ex>& maps) {
     Monomials monomials(algebra);
     std::vector<MonomialSum> sums;
@@ -302,8 +302,8 @@ std::vector<QuantityFinding> body_findings(const Hamiltonian& hamiltonian,
         QuantityFinding& finding = result.emplace_back();
         finding.bracket = Expression::integer(0);
         finding.is_momentum_map = is_made_of(motion.algebra(), I, momentum_maps);
-        // NOTE: then it is conserved as those are, and its bracket, which may be long, is not
-        // needed.
+        // NOTE: such a quantity is conserved as the maps are, so its bracket, which may be long, is
+        // not needed.
         if (finding.is_momentum_map) {
             finding.conserved = Vanishing::proved;
             continue;

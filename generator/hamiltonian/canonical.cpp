@@ -13,7 +13,7 @@ namespace {
 using GiNaC::ex;
 using GiNaC::symbol;
 
-/// A two-form by its entries, i < j; coordinates are q, p and t.
+/// A two-form by its entries, i < j; the coordinates are q, p and t.
 using TwoForm = std::vector<std::vector<ex>>;
 
 class JumpOnSurface {
@@ -50,7 +50,7 @@ private:
     }
     [[nodiscard]] ex slope(std::size_t k) const { return by(g_, k); }
 
-    /// g = a v + b for a variable v: where g = 0 it is -b/a.
+    /// Solves g = 0 for a variable v in which it is linear: g = a v + b gives v = -b/a.
     void solve() {
         for (std::size_t k = variables_.size(); k-- > 0 && !solution_;) {
             const ex a = by(g_, k);
@@ -60,7 +60,7 @@ private:
         }
     }
 
-    /// How much H changes.
+    /// Returns the change of H in the jump.
     [[nodiscard]] ex change_of_H() const {
         GiNaC::exmap jump;
         for (std::size_t k = 0; k < 2 * n_; ++k) jump[variables_[k]] = after_[k];
@@ -68,7 +68,7 @@ private:
                algebra_.function();
     }
 
-    /// dP^dQ - dp^dq - d(change of H)^dt.
+    /// Returns dP^dQ - dp^dq - d(change of H)^dt.
     [[nodiscard]] TwoForm change() const {
         const std::size_t count = variables_.size();
         const ex energy = change_of_H();
@@ -98,7 +98,7 @@ private:
                                     : "dq^dp is not kept";
     }
 
-    /// Where g = 0.
+    /// Whether the expression vanishes where g = 0.
     [[nodiscard]] Vanishing vanishes(const ex& expression) const {
         const Vanishing everywhere = vanishing_by_monomials(algebra_, expression);
         if (everywhere == Vanishing::proved) return everywhere;
@@ -110,7 +110,7 @@ private:
     Algebra algebra_;
     std::size_t n_;
     std::vector<symbol> variables_;  ///< q, p, t
-    std::vector<ex> after_;          ///< as much behind the jump
+    std::vector<ex> after_;          ///< the values of `variables_` after the jump
     ex g_;
     std::optional<ex> solution_;
 };

@@ -13,10 +13,10 @@ namespace {
 using GiNaC::ex;
 using GiNaC::numeric;
 
-/// Terms that one is ready to write for a common denominator.
+/// The most terms that are written for a common denominator.
 constexpr double most_terms = 6'000;
 
-/// An exponent as a whole number and what is left: in [0, 1) where it is a number.
+/// An exponent split into a whole number and a rest. A rest that is a number lies in [0, 1).
 struct SplitExponent {
     ex rest;
     long whole = 0;
@@ -40,7 +40,7 @@ std::optional<SplitExponent> exponent_of(const FunctionMonomial& monomial, std::
     return {};
 }
 
-/// The monomial with another exponent of the base.
+/// Returns the monomial with another exponent of the base.
 FunctionMonomial with_exponent(FunctionMonomial monomial, std::size_t base, const ex& exponent) {
     auto& powers = monomial.powers;
     powers.erase(std::remove_if(powers.begin(), powers.end(),
@@ -53,7 +53,7 @@ FunctionMonomial with_exponent(FunctionMonomial monomial, std::size_t base, cons
     return monomial;
 }
 
-using Lowest = std::map<ex, long, GiNaC::ex_is_less>;  ///< whole part, by what is left
+using Lowest = std::map<ex, long, GiNaC::ex_is_less>;  ///< the lowest whole part for each rest
 
 class CommonPowers {
 public:
@@ -70,7 +70,8 @@ public:
         if (whole != lowest_.end()) whole->second = std::min(whole->second, 0L);
     }
 
-    /// Whether all terms are; where only some can be, those that have the base.
+    /// Brings all terms to common powers; where that takes too many terms, only those that have the
+    /// base. Returns whether all are.
     [[nodiscard]] bool bring() {
         if (lowest_.empty()) return true;
         const double terms = size({}), all = size(true), some = size(false);
@@ -82,7 +83,7 @@ public:
     }
 
 private:
-    /// How often the sum is multiplied out in a term.
+    /// Returns the power of the sum that is multiplied out in a term.
     [[nodiscard]] long above(const FunctionMonomial& monomial, bool all) const {
         const auto exponent = exponent_of(monomial, base_);
         if (exponent) return exponent->whole - lowest_.at(exponent->rest);
@@ -97,7 +98,7 @@ private:
         return false;
     }
 
-    /// How many terms there would be at most; without `all` how many there are.
+    /// Returns an upper bound of the number of terms; without `all` the present number.
     [[nodiscard]] double size(std::optional<bool> all) const {
         const double terms = static_cast<double>(monomials_.bases()[base_].sum->size());
         double sum = 0;
@@ -107,7 +108,8 @@ private:
         return sum;
     }
 
-    /// Whether none was too long. NOTE: each function stays what it is, however it is written.
+    /// Returns whether no function was too long. NOTE: rewriting changes the form of a function,
+    /// not its value.
     [[nodiscard]] bool rewrite(bool all) try {
         for (MonomialSum& function : functions_) {
             MonomialSum result;
@@ -141,7 +143,7 @@ private:
     std::map<long, MonomialSum> powers_;
 };
 
-/// The sums of which something may have to be multiplied out.
+/// Returns the sums that may have to be multiplied out.
 std::set<std::size_t> with_several_powers(const Monomials& monomials,
                                           const std::vector<MonomialSum>& functions) {
     std::map<std::size_t, ex> first;
@@ -161,7 +163,7 @@ std::set<std::size_t> with_several_powers(const Monomials& monomials,
 
 }  // namespace
 
-/// NOTE: what a sum is made of has lower numbers.
+/// NOTE: a sum has a higher number than the bases that it is made of.
 bool bring_to_common_powers(Monomials& monomials, std::vector<MonomialSum>& functions) {
     bool all = true;
     std::set<std::size_t> todo = with_several_powers(monomials, functions);

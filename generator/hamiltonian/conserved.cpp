@@ -18,7 +18,7 @@ using GiNaC::symbol;
 
 constexpr std::size_t most_in_polynomial = 8;  ///< quantities whose products are compared
 
-/// In the variables; nothing where it is no product of them.
+/// Returns the degree in the variables; nothing where the monomial is no product of them.
 std::optional<long> degree(const Monomials& monomials, const FunctionMonomial& monomial) {
     if (monomial.exponential != 0 || monomial.phase != 0) return {};
     long sum = 0;
@@ -32,7 +32,7 @@ std::optional<long> degree(const Monomials& monomials, const FunctionMonomial& m
     return sum;
 }
 
-/// Functions with the derivatives of H.
+/// Functions under the motion of H, with its derivatives.
 class Motion {
 public:
     explicit Motion(const Hamiltonian& hamiltonian)
@@ -59,12 +59,13 @@ public:
         return vanishing_by_monomials(algebra_, expression);
     }
 
-    /// NOTE: a bracket multiplied out is as short as one can hope for, where it is not too long.
+    /// NOTE: a bracket is usually shortest when it is multiplied out, if that is not too long.
     [[nodiscard]] Expression written(const ex& expression) const {
         return algebra_.written(multiplied_out(expression));
     }
 
-    /// Where the third derivatives vanish and the second have no variables.
+    /// Returns the quadratic term of I; nothing unless the third derivatives vanish and the second
+    /// have no variables.
     [[nodiscard]] std::optional<QuantityFinding::Quadratic> quadratic(const ex& I) const {
         Monomials monomials(algebra_);
         const auto sum = monomials.sum(I);
@@ -93,7 +94,7 @@ public:
         return result;
     }
 
-    /// Whether each term is a momentum times nothing or a coordinate, or a constant.
+    /// Whether each term is a momentum, a momentum times a coordinate, or a constant.
     [[nodiscard]] bool is_momentum_map(const ex& I) const {
         Monomials monomials(algebra_);
         const auto sum = monomials.sum(I);
@@ -107,7 +108,7 @@ public:
                });
     }
 
-    /// Those of the others whose products with one another, and which themselves, add up to I.
+    /// Returns the others whose products with one another, or which themselves, add up to I.
     [[nodiscard]] std::vector<std::size_t>
     made_of(const ex& I, const std::vector<std::pair<std::size_t, ex>>& others) const {
         if (others.size() > most_in_polynomial) return {};
@@ -122,7 +123,7 @@ public:
                 functions.push_back(others[i].second * others[j].second);
             }
         }
-        functions.push_back(I);  // the last is free where it depends on those before
+        functions.push_back(I);  // the last is free where it depends on the functions before it
         std::vector<MonomialSum> sums;
         for (const ex& function : functions) {
             auto sum = monomials.sum(function);
@@ -176,7 +177,7 @@ std::vector<QuantityFinding> findings(const Hamiltonian& hamiltonian,
     Motion with_symbols(general);
     std::optional<Motion> with_values;
     std::vector<QuantityFinding> result;
-    std::vector<std::pair<std::size_t, ex>> kept;  ///< of those with symbols
+    std::vector<std::pair<std::size_t, ex>> kept;  ///< the quantities with parameters as symbols
     for (const Quantity& quantity : quantities) {
         QuantityFinding found = finding(with_symbols, quantity);
         const bool is_general = found.conserved == Vanishing::proved;

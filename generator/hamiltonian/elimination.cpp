@@ -12,8 +12,8 @@ namespace {
 
 using GiNaC::ex;
 
-/// A sum as a product of a number, powers of symbols, and the rest. NOTE: GiNaC::factor knows
-/// polynomials of symbols alone.
+/// Writes a sum as a product of a number, powers of symbols, and the rest. NOTE: GiNaC::factor
+/// works for polynomials of symbols only.
 ex without_common_factors(const ex& sum, const Algebra& algebra) {
     ex rest = sum.expand();
     if (!GiNaC::is_a<GiNaC::add>(rest)) return rest;
@@ -29,15 +29,15 @@ ex without_common_factors(const ex& sum, const Algebra& algebra) {
     return common * rest;
 }
 
-/// Above the bar and below it there are polynomials, expanded: so it does not depend on the order
-/// in which GiNaC has terms.
+/// Writes an expression as a fraction of expanded polynomials, which does not depend on GiNaC's
+/// order of terms.
 ex as_fraction(const ex& expression, const Algebra& algebra) {
     const ex both = expression.numer_denom();
     return without_common_factors(both.op(0), algebra) /
            without_common_factors(both.op(1), algebra);
 }
 
-/// Without even powers of sines: by sin^2 = 1 - cos^2 and sinh^2 = cosh^2 - 1.
+/// Replaces even powers of sines by sin^2 = 1 - cos^2 and sinh^2 = cosh^2 - 1.
 ex without_squares_of_sines(const ex& polynomial) {
     const ex x = GiNaC::wild();
     const GiNaC::lst squares{GiNaC::pow(GiNaC::sin(x), 2) == 1 - GiNaC::pow(GiNaC::cos(x), 2),
@@ -45,7 +45,7 @@ ex without_squares_of_sines(const ex& polynomial) {
     return polynomial.expand().subs(squares, GiNaC::subs_options::algebraic).expand();
 }
 
-/// As it is, or with those identities where that makes it shorter.
+/// Returns the shorter of the entry and the entry without squares of sines.
 ex shortest(const ex& entry, const Algebra& algebra) {
     const ex both = entry.numer_denom();
     const ex other =
@@ -55,7 +55,8 @@ ex shortest(const ex& entry, const Algebra& algebra) {
     return words(reduced) < words(plain) ? reduced : plain;
 }
 
-/// A matrix beside the unit matrix, on its way to the unit matrix beside its inverse.
+/// The rows of elimination: a matrix beside the unit matrix, which become the unit matrix beside
+/// the inverse.
 class Rows {
 public:
     Rows(const Algebra& algebra, const GiNaC::matrix& matrix)

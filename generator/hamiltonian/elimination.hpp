@@ -8,15 +8,15 @@
 
 namespace hvi::gen {
 
-/// What Gauss and Jordan's elimination finds where the symbols are in general position.
+/// The result of Gauss-Jordan elimination for symbols in general position.
 struct Elimination {
     std::size_t rank = 0;
     std::optional<GiNaC::matrix> inverse;  ///< where the rank is full; each entry one fraction
 };
 
-/// Each pivot is proved not to vanish, and what is taken for zero to vanish. Throws MathError, with
-/// the place of the function that the matrix is of, where neither is known. Precondition: a square
-/// matrix.
+/// Eliminates. Each pivot is proved not to vanish, and each entry that is taken for zero is proved
+/// to vanish. Throws MathError, with the place of the function whose derivatives form the matrix,
+/// where neither is proved. Precondition: a square matrix.
 [[nodiscard]] Elimination eliminate(const Algebra& algebra, const GiNaC::matrix& matrix);
 
 }  // namespace hvi::gen

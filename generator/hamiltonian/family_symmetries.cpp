@@ -20,7 +20,7 @@ namespace {
 using GiNaC::ex;
 using Element = FamilySummand::Element;
 
-/// An algebra in which these symbols vary, and all others are parameters.
+/// Makes an algebra in which these symbols vary, and all others are parameters.
 Algebra algebra_of(const std::set<std::string>& variables,
                    const std::shared_ptr<const Source>& source) {
     Hamiltonian none;
@@ -29,7 +29,7 @@ Algebra algebra_of(const std::set<std::string>& variables,
     return Algebra(none);
 }
 
-/// Of an element that may not occur: the one of the family at this place.
+/// Returns the symbol of a family's element at a place; the element need not occur.
 std::string symbol_at(const std::vector<Element>& elements, std::size_t family,
                       const std::string& place, const char* kind) {
     for (const Element& element : elements)
@@ -94,7 +94,7 @@ private:
         static_cast<void>(equations_.insert(std::move(equation)));
     }
 
-    /// Whether it is short enough.
+    /// Adds the equations of a summand. Returns whether it is short enough.
     [[nodiscard]] bool add_equations(const FamilySummand& summand) {
         const ex function = algebra_.read(summand.function, source_);
         const GiNaC::exvector jumps = where_it_may_jump(function);
@@ -151,7 +151,8 @@ private:
         return result;
     }
 
-    /// Where all that has momenta of the family is p^2/(2 m), over all of its elements.
+    /// Returns the mass m if all terms with momenta of the family are p^2/(2 m), over all of its
+    /// elements.
     [[nodiscard]] std::optional<Expression> mass(std::size_t family) {
         std::optional<ex> found;
         for (const FamilySummand& summand : summands_)
@@ -169,8 +170,8 @@ private:
         return found ? std::optional(algebra_.written(*found)) : std::nullopt;
     }
 
-    /// With two elements of mass 1 in each family: the algebra is the same for any number, and for
-    /// all masses whose sum is not 0.
+    /// Returns the name of the algebra for two elements of mass 1 in each family. The algebra is
+    /// isomorphic for any number of elements, and for all masses whose sum is not 0.
     [[nodiscard]] std::string name_of(const std::vector<std::optional<Expression>>& masses) const {
         constexpr std::size_t most = 16;
         const std::size_t n = shapes_.size();
@@ -259,7 +260,7 @@ bool is_combination(const Expression& function, const std::vector<Expression>& o
         if (!sum) return false;
         sums.push_back(*std::move(sum));
     }
-    // NOTE: what comes last is free where it depends on those before.
+    // NOTE: the last sum is free where it depends on those before it.
     const Relations found = relations(monomials, std::move(sums), nullptr);
     return !found.basis.empty() && found.basis.back().rbegin()->first + 1 == all.size();
 }

@@ -11,8 +11,8 @@
 
 namespace hvi::gen {
 
-/// What stands in a sum, as a function of symbols: elements with one index each are inputs by
-/// themselves, as if none could be another.
+/// A summand as a function of symbols. Elements with one index each are independent inputs, as if
+/// no two could be equal.
 struct FamilySummand {
     /// An element of a family of coordinates, or of momenta; elements of different families with
     /// equal indices have one place.
@@ -25,10 +25,10 @@ struct FamilySummand {
     Expression function;  ///< places in it count for nothing
     std::vector<Element> coordinates, momenta;
     std::vector<std::string> others;  ///< indices, and what depends on them
-    bool is_over_family = false;      ///< all elements of a family of one place, each once
+    bool is_over_family = false;      ///< all elements of a family at one place, each once
 };
 
-/// q_f' = sum_g C_fg q_g + d_f, for all elements of the families f and g alike.
+/// The field q_f' = sum_g C_fg q_g + d_f, alike for all elements of the families f and g.
 struct FamilyField {
     struct Entry {
         std::size_t row = 0;
@@ -40,15 +40,16 @@ struct FamilyField {
 
 struct FamilySymmetries {
     std::vector<FamilyField> fields;
-    /// m of a family that H knows the momenta of by the sum of p^2/(2 m) over all elements alone.
+    /// The mass m of each family whose momenta occur in H only in the sum of p^2/(2 m) over all
+    /// elements.
     std::vector<std::optional<Expression>> masses;
-    std::string algebra;  ///< its name, with that of the turned centres of mass; or empty
+    std::string algebra;  ///< the algebra's name, with turned centres of mass; or empty
 };
 
-/// Those that leave each summand as it is, by exact algebra, for all sizes. `shapes`: of each
-/// family; those of one shape have equal indices. With `centres` the fields that turn the centre of
-/// mass of families f and g are counted into the algebra. Throws as Algebra does, with `source`,
-/// in which the summands stand, for a place.
+/// Finds the fields that leave each summand unchanged, by exact algebra, for all sizes. `shapes`
+/// has a number for each family; families of one shape have equal indices. With `centres`, the
+/// algebra includes the fields that turn the centre of mass of families f and g. Throws as Algebra
+/// does, with `source`, in which the summands stand, for a place.
 [[nodiscard]] FamilySymmetries family_symmetries(const std::vector<FamilySummand>& summands,
                                                  const std::vector<std::size_t>& shapes,
                                                  const std::shared_ptr<const Source>& source);

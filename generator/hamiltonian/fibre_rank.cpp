@@ -14,7 +14,7 @@ namespace {
 
 using GiNaC::ex;
 
-/// By the last n variables.
+/// Returns the matrix of second derivatives by the last n variables.
 GiNaC::matrix fibre_hessian(const Algebra& algebra, unsigned n) {
     const std::size_t first = algebra.variables().size() - n;
     GiNaC::matrix result(n, n);
@@ -26,8 +26,8 @@ GiNaC::matrix fibre_hessian(const Algebra& algebra, unsigned n) {
     return result;
 }
 
-/// The equations of the constant vectors that the matrix takes to zero: a row of it has one for
-/// each monomial. Nothing where an entry is too long.
+/// Returns equations for the constant vectors that the matrix takes to zero: a row of the matrix
+/// has one for each monomial. Returns nothing where an entry is too long.
 std::optional<SparseEquations> null_equations(const Algebra& algebra, const GiNaC::matrix& matrix) {
     Monomials monomials(algebra);
     SparseEquations equations(algebra);
@@ -49,7 +49,7 @@ std::optional<SparseEquations> null_equations(const Algebra& algebra, const GiNa
     return equations;
 }
 
-/// The rows and columns of a matrix with these numbers.
+/// Returns the given rows and columns of a matrix.
 GiNaC::matrix minor(const GiNaC::matrix& whole, const std::vector<unsigned>& rows,
                     const std::vector<unsigned>& columns) {
     GiNaC::matrix result(static_cast<unsigned>(rows.size()), static_cast<unsigned>(columns.size()));
@@ -63,8 +63,8 @@ std::vector<unsigned> with(std::vector<unsigned> numbers, const std::vector<unsi
     return numbers;
 }
 
-/// Numbers whose rows and columns are surely regular, to which no one and no two more can be added
-/// so that they still are seen to be.
+/// Returns the numbers of rows and columns whose minor is surely regular. No one and no two more
+/// numbers give a minor that is still seen to be regular.
 std::vector<unsigned> regular_part(const Algebra& algebra, const GiNaC::matrix& whole) {
     std::vector<unsigned> kept;
     const auto grows_by = [&](const std::vector<unsigned>& more) {
@@ -82,8 +82,9 @@ std::vector<unsigned> regular_part(const Algebra& algebra, const GiNaC::matrix& 
     return kept;
 }
 
-/// Rank of a symmetric matrix: that of a regular part where every minor that has a row and a column
-/// more vanishes. Nothing where that is not proved, or these are too large to be asked.
+/// Returns the rank of a symmetric matrix. It is the rank of a regular part if every minor with one
+/// more row and column vanishes. Returns nothing where that is not proved, or where these minors
+/// are too large.
 std::optional<std::size_t> rank_by_minors(const Algebra& algebra, const GiNaC::matrix& whole) {
     constexpr std::size_t most_rows = 4;
     const std::vector<unsigned> kept = regular_part(algebra, whole);

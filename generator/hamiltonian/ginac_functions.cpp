@@ -53,14 +53,14 @@ ex if_at_most_slope(const ex& a, const ex& b, const ex& yes, const ex& no, const
 
 unsigned registered(const Options& options) { return GiNaC::function::register_new(options); }
 
-/// Those that GiNaC has not, by their names.
+/// Functions that GiNaC lacks, by their names.
 const std::map<std::string, unsigned>& ours() {
     static const std::map<std::string, unsigned> serials{
         {"log10", registered(Options("log10", 1).derivative_func(log10_slope))},
         {"cbrt", registered(Options("cbrt", 1).derivative_func(cbrt_slope))},
         {"erf", registered(Options("erf", 1).derivative_func(erf_slope))},
         {"erfc", registered(Options("erfc", 1).derivative_func(erfc_slope))},
-        // NOTE: that of GiNaC is of complex numbers, and so is its derivative.
+        // NOTE: GiNaC's abs is of complex numbers, and so is its derivative.
         {"abs", registered(Options("abs", 1).derivative_func(abs_slope).overloaded(2))},
         {"sign", registered(Options("sign", 1).derivative_func(sign_slope))},
         {"min", registered(Options("min", 2).expl_derivative_func(min_slope))},

@@ -8,7 +8,7 @@ namespace hvi::gen {
 
 namespace {
 
-/// The derivatives by the variables from number `begin` on, n of them.
+/// Returns the derivatives by n variables from number `begin` on.
 std::vector<Expression> derivatives(const Algebra& algebra, std::size_t begin, std::size_t n) {
     std::vector<Expression> result;
     for (std::size_t i = begin; i < begin + n; ++i)

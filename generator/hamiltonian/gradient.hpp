@@ -14,19 +14,19 @@ struct Gradient {
     std::vector<Expression> by_momenta;      ///< dH/dp_i
 };
 
-/// The first derivatives, exact, as one would write them; parameters that have a value are replaced
-/// by it. The same H gives the same expressions. Throws InputError with its place for a division by
-/// zero, and where a number, a power or the derivatives are larger than one can use; MathError with
-/// its place where a number is not real.
+/// Returns the first derivatives, exact, as one would write them. Parameters with a value are
+/// replaced by it. Equal H give equal expressions. Throws InputError with its place for a division
+/// by zero, and where a number, a power or the derivatives are too large; MathError with its place
+/// where a number is not real.
 [[nodiscard]] Gradient gradient(const Hamiltonian& hamiltonian);
 
-/// Of L: what p' and p are, p' = dL/dq and p = dL/dv.
+/// The derivatives of L: p' = dL/dq and p = dL/dv.
 struct LagrangianGradient {
     std::vector<Expression> by_coordinates;  ///< dL/dq_i
     std::vector<Expression> by_velocities;   ///< dL/dv_i
 };
 
-/// The same for L.
+/// Returns the first derivatives of L. Throws as gradient() of H does.
 [[nodiscard]] LagrangianGradient gradient(const Lagrangian& lagrangian);
 
 }  // namespace hvi::gen

@@ -14,7 +14,7 @@ namespace {
 
 using Replacements = std::map<std::string, Expression>;
 
-/// The expressions of H that stand for velocities: dH/dp.
+/// Returns the expressions of H for the velocities: dH/dp.
 Replacements velocities_of(const Lagrangian& L, const Hamiltonian& H) {
     const std::vector<Expression> by_momenta = gradient(H).by_momenta;
     Replacements result;
@@ -22,7 +22,7 @@ Replacements velocities_of(const Lagrangian& L, const Hamiltonian& H) {
     return result;
 }
 
-/// Lets momenta begin where velocities did.
+/// Replaces the initial velocities by momenta.
 void begin_with_momenta(std::vector<NamedExpression>& initial, const Lagrangian& L,
                         const Hamiltonian& H) {
     if (initial.empty()) return;

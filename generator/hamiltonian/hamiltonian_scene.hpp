@@ -1,4 +1,4 @@
-// A scene with a Lagrangian, by its Hamiltonian.
+// Replaces the Lagrangian of a scene by its Hamiltonian.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -6,10 +6,10 @@
 
 namespace hvi::gen {
 
-/// The scene with H = p v - L in place of L: it begins with p = dL/dv, and where invariants, events
-/// or the scale of the time have velocities, v = dH/dp stands. A scene with an H stays what it is.
-/// Throws MathError as legendre_transform() does, and InputError for an event that sets something,
-/// which would be velocities.
+/// Returns the scene with H = p v - L in place of L. It begins with p = dL/dv, and v = dH/dp
+/// replaces velocities in invariants, events and the scale of time. A scene with an H is returned
+/// unchanged. Throws MathError as legendre_transform() does, and InputError for an event that sets
+/// something, which would be velocities.
 [[nodiscard]] WrittenOutScene with_hamiltonian(WrittenOutScene scene);
 
 }  // namespace hvi::gen

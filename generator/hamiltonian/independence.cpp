@@ -17,14 +17,14 @@ namespace {
 
 using GiNaC::ex;
 
-constexpr std::size_t most_roots = 60;      ///< that are compared with one another
-constexpr std::size_t most_arguments = 60;  ///< the same
+constexpr std::size_t most_roots = 60;      ///< roots that are compared with one another
+constexpr std::size_t most_arguments = 60;  ///< arguments that are compared with one another
 constexpr std::size_t most_at_points = 150;
 constexpr slong bits_at_points = 512;
 
 struct Used {
     std::set<std::size_t> bases, exponentials, phases;
-    std::set<std::size_t> roots;  ///< bases with an exponent that is not whole
+    std::set<std::size_t> roots;  ///< bases with an exponent that is no whole number
 };
 
 Used used_in(const std::vector<MonomialSum>& functions) {
@@ -43,7 +43,7 @@ Used used_in(const std::vector<MonomialSum>& functions) {
     return used;
 }
 
-/// As an expression, where it is a polynomial in the variables.
+/// Returns the sum as an expression, if it is a polynomial in the variables.
 std::optional<ex> polynomial(const Monomials& monomials, const MonomialSum& sum) {
     ex result = 0;
     for (const auto& [monomial, coefficient] : sum) {
@@ -84,8 +84,8 @@ bool has_no_factor_twice(const Monomials& monomials, const ex& polynomial) {
     });
 }
 
-/// Whether a polynomial, multiplied out, is seen to be no product. NOTE: GiNaC's factorization
-/// takes for ever from some length on.
+/// Whether a polynomial, multiplied out, is seen to be no product. NOTE: GiNaC's factorization does
+/// not end in useful time from some length on.
 bool is_prime(const ex& polynomial) {
     constexpr std::size_t most_terms = 100;
     if (!GiNaC::is_a<GiNaC::add>(polynomial) || polynomial.nops() > most_terms) return false;
@@ -95,9 +95,9 @@ bool is_prime(const ex& polynomial) {
     return GiNaC::is_a<GiNaC::add>(GiNaC::factor(polynomial));
 }
 
-/// Whether none is a product, and none a multiple of another one: then none has a factor twice, and
-/// no two have one in common. NOTE: distances of many bodies are so many that greatest common
-/// divisors of all pairs take seconds.
+/// Whether none of the polynomials is a product, and none a multiple of another one: then none has
+/// a factor twice, and no two have a common factor. NOTE: many bodies have so many distances that
+/// greatest common divisors of all pairs take seconds.
 bool are_different_primes(const std::vector<ex>& polynomials) {
     constexpr std::size_t most = 400;
     if (polynomials.size() > most) return false;
@@ -140,7 +140,7 @@ bool are_roots_independent(const Monomials& monomials, const Used& used) {
     return true;
 }
 
-/// Whether the exponents of each root differ as numbers do: rational ones alone.
+/// Whether the exponents of each root differ by rational numbers only.
 bool are_exponents_rational(const std::vector<MonomialSum>& functions) {
     for (const MonomialSum& function : functions)
         for (const auto& [monomial, coefficient] : function)
@@ -159,8 +159,8 @@ bool are_different(const Monomials& monomials, std::size_t a, std::size_t b, int
     });
 }
 
-/// Of phases up to the sign. NOTE: those whose coefficients are rational are one where they are
-/// equal.
+/// Whether the phases differ, up to the sign, by more than a constant. NOTE: phases with rational
+/// coefficients have one number where they are equal.
 bool are_different(const Monomials& monomials, const std::set<std::size_t>& arguments,
                    bool up_to_sign) {
     std::vector<std::size_t> others;
@@ -181,7 +181,7 @@ bool are_different(const Monomials& monomials, const std::set<std::size_t>& argu
     return true;
 }
 
-/// Rational numbers in (0, 2) and in (0, 2/5) by turns, others for each point.
+/// Points with rational coordinates, alternately in (0, 2) and in (0, 2/5); each point is new.
 class Points {
 public:
     [[nodiscard]] SymbolValues next(const Algebra& algebra) {
@@ -204,8 +204,8 @@ private:
     }
 
     std::uint64_t above_ = 20011;
-    bool is_near_ = true;      ///< to the origin, where high powers are not all that counts
-    SymbolValues parameters_;  ///< the same at all points
+    bool is_near_ = true;      ///< whether near the origin, where low powers count
+    SymbolValues parameters_;  ///< equal at all points
 };
 
 }  // namespace

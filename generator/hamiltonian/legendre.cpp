@@ -21,21 +21,21 @@ namespace {
 
 using GiNaC::ex;
 
-/// w^T M w/2 + a w + rest for the momenta or the velocities w; M, a and rest do not depend on w.
+/// The form w^T M w/2 + a w + rest in momenta or velocities w; M, a and rest do not depend on w.
 struct QuadraticInFibre {
     GiNaC::matrix M;
     GiNaC::exvector a;
     ex rest;
 };
 
-/// The second half of the variables.
+/// Returns the second half of the variables.
 std::vector<GiNaC::symbol> fibre(const Algebra& algebra) {
     const auto& all = algebra.variables();
     return {all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2), all.end()};
 }
 
-/// Where the third derivatives vanish. NOTE: only then there surely is a value at w = 0; and what
-/// has kinks in M may be regular here and singular there.
+/// Returns the form if the third derivatives vanish. NOTE: only then there surely is a value at w =
+/// 0; and an M with kinks may be regular at one point and singular at another.
 std::optional<QuadraticInFibre> quadratic_in_fibre(const Algebra& algebra) {
     const std::vector<GiNaC::symbol> w = fibre(algebra);
     const auto n = static_cast<unsigned>(w.size());
@@ -62,7 +62,7 @@ std::optional<QuadraticInFibre> quadratic_in_fibre(const Algebra& algebra) {
     return result;
 }
 
-/// (w - a)^T M^-1 (w - a)/2 - rest, where w is written for the variables of the other side.
+/// Returns (w - a)^T M^-1 (w - a)/2 - rest, where w stands for the variables of the other side.
 ex transformed(const QuadraticInFibre& given, const GiNaC::matrix& inverse,
                const std::vector<GiNaC::symbol>& w) {
     ex sum = -given.rest;

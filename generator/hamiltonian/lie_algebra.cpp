@@ -12,7 +12,7 @@ using GiNaC::numeric;
 using Row = std::vector<numeric>;
 using Rows = std::vector<Row>;
 
-/// Independent rows with the same span.
+/// Returns independent rows with an equal span.
 Rows echelon(Rows rows) {
     std::size_t rank = 0;
     const std::size_t columns = rows.empty() ? 0 : rows.front().size();
@@ -33,14 +33,14 @@ Rows echelon(Rows rows) {
     return rows;
 }
 
-/// How many squares of each sign a form has.
+/// The number of squares of each sign in a quadratic form.
 struct Inertia {
     std::size_t positive = 0, negative = 0, zero = 0;
 
     friend bool operator==(const Inertia&, const Inertia&) = default;
 };
 
-/// Lagrange's method.
+/// Counts squares by Lagrange's method.
 Inertia inertia(Rows form) {
     Inertia found;
     while (!form.empty()) {
@@ -73,11 +73,11 @@ Inertia inertia(Rows form) {
     return found;
 }
 
-/// What does not depend on the basis.
+/// Numbers that do not depend on the basis of an algebra.
 struct Invariants {
     std::size_t dimension = 0, derived = 0, centre = 0;
     Inertia killing;
-    bool splits = false;        ///< into what brackets span and what commutes with all
+    bool splits = false;        ///< into its derived algebra and its centre
     bool is_unimodular = true;  ///< all ad x have trace 0
 };
 
@@ -88,9 +88,9 @@ Rows brackets(const StructureConstants& c) {
     return rows;
 }
 
-/// Of the matrices ad x: x is in the centre where all [x, e_j] vanish.
+/// Returns the dimension of the centre: x is in it where all [x, e_j] vanish.
 std::size_t dimension_of_centre(const StructureConstants& c) {
-    Rows rows;  // of x, all its brackets
+    Rows rows;  // equations for x from all its brackets
     for (const auto& of_i : c) {
         Row& row = rows.emplace_back();
         for (const Row& bracket : of_i) row.insert(row.end(), bracket.begin(), bracket.end());
@@ -118,7 +118,7 @@ bool is_unimodular(const StructureConstants& c) {
     });
 }
 
-/// Whether no element of what brackets span commutes with all: then their sum is direct.
+/// Whether the derived algebra and the centre have only 0 in common, and their sum is the algebra.
 bool splits(const StructureConstants& c, const Rows& derived, std::size_t centre) {
     if (derived.size() + centre != c.size()) return false;
     Rows all;
@@ -142,15 +142,15 @@ Invariants invariants(const StructureConstants& c) {
     return result;
 }
 
-/// Beside a part that commutes with all.
+/// Adds a commuting part to a name.
 std::string beside(const std::string& name, std::size_t commuting) {
     if (commuting == 0) return name;
     return name + (commuting == 1 ? "+R" : "+R^" + std::to_string(commuting));
 }
 
-/// Of what brackets span, where brackets of these span it again. NOTE: a compact algebra has a
-/// negative form, that of a vector space none; and so(3) acts on three dimensions as on vectors,
-/// or not at all.
+/// Names an algebra whose derived algebra is perfect. NOTE: a compact algebra has a negative form,
+/// the algebra of a vector space a zero form; and so(3) acts on three dimensions as on vectors, or
+/// not at all.
 std::string perfect(const Invariants& all) {
     const Inertia form{all.killing.positive, all.killing.negative, all.killing.zero - all.centre};
     if (form == Inertia{0, 3, 0}) return "so(3)";
@@ -163,7 +163,7 @@ std::string perfect(const Invariants& all) {
     return "";
 }
 
-/// Two dimensions that do not commute with a third one.
+/// Names an algebra of two dimensions that do not commute with a third one.
 std::string planar(const Invariants& all) {
     if (all.derived != 2 || !all.is_unimodular || all.killing.zero + 1 != all.dimension) return "";
     return beside(all.killing.negative == 1 ? "se(2)" : "e(1,1)", all.centre);

@@ -14,13 +14,13 @@ namespace {
 using GiNaC::ex;
 using GiNaC::numeric;
 
-/// More terms than this are a slip, or take longer than one waits.
+/// The most terms: more are a slip, or take too long.
 constexpr std::size_t most_terms = 20'000;
 
-/// Above, a power stays one.
+/// The most terms of a power that is multiplied out.
 constexpr double most_terms_of_power = 2000;
 
-/// At most: the products of so many out of the terms.
+/// Returns an upper bound: the number of products of `exponent` terms.
 double terms_of_power(std::size_t terms, unsigned exponent) {
     double count = 1;
     for (unsigned i = 1; i <= exponent; ++i)
@@ -28,7 +28,8 @@ double terms_of_power(std::size_t terms, unsigned exponent) {
     return count;
 }
 
-/// Equal functions of parameters are equal expressions, as far as fractions of polynomials go.
+/// Brings a coefficient to a normal form: equal functions of parameters become equal expressions,
+/// as far as fractions of polynomials go.
 ex canonical(const ex& coefficient) {
     if (GiNaC::is_a<numeric>(coefficient)) return coefficient;
     spend_on_normal_form(coefficient);
@@ -213,7 +214,7 @@ MonomialSum Monomials::read_function(const GiNaC::function& function) {
     if (name == "sinh") return half_sum(-1);
     if (name == "cosh") return half_sum(1);
     if (name == "tanh") return product(half_sum(-1), raised(half_sum(1), -1));
-    // if(a < b, x, y) is y, and x - y where a < b.
+    // NOTE: if(a < b, x, y) is y, plus x - y where a < b.
     const bool is_choice = name == "if<" || name == "if<=";
     MonomialBase base{.variable = {}, .sum = {}, .function = name, .arguments = {}};
     if (is_choice) {
@@ -226,7 +227,7 @@ MonomialSum Monomials::read_function(const GiNaC::function& function) {
     return opaque(std::move(base), 1);
 }
 
-/// exp(c + a): what is constant in the exponent is part of the coefficient.
+/// Returns exp(c + a): the constant c of the exponent becomes part of the coefficient.
 MonomialSum Monomials::exponential(MonomialSum argument) {
     const ex factor = GiNaC::exp(take_constant(argument));
     MonomialSum result;
@@ -235,8 +236,9 @@ MonomialSum Monomials::exponential(MonomialSum argument) {
     return result;
 }
 
-/// cos(c + f) = cos c cos f - sin c sin f. The phase has the sign that its first coefficient has
-/// there as a number; where that is no number, both signs are known as one by their order.
+/// Returns cos(c + f) = cos c cos f - sin c sin f. The phase f is signed so that its first
+/// coefficient is positive if that is a number; otherwise f and -f are recognized as one by their
+/// order.
 MonomialSum Monomials::wave(MonomialSum argument, bool is_sine) {
     const ex constant_part = take_constant(argument);
     MonomialSum opposite;
@@ -254,7 +256,7 @@ MonomialSum Monomials::wave(MonomialSum argument, bool is_sine) {
     return result;
 }
 
-/// cos a cos b = (cos(a-b) + cos(a+b))/2, and so on.
+/// Returns the product by cos a cos b = (cos(a-b) + cos(a+b))/2, and so on.
 MonomialSum Monomials::product(const FunctionMonomial& a, const FunctionMonomial& b) {
     FunctionMonomial rest;
     rest.powers = merged(a.powers, b.powers);
@@ -302,11 +304,11 @@ MonomialSum Monomials::power(const MonomialSum& base, unsigned exponent) {
     return result;
 }
 
-/// A single term c x^k exp(a) to a whole power is one again, and so are exponentials to any; of
-/// other sums powers below 1 are taken as they stand, up to a positive number in front. NOTE: the
-/// root of x^2 is not x.
+/// Raises a sum to a power. A single term c x^k exp(a) to a whole power is a single term, and so
+/// are exponentials to any power. Powers below 1 of other sums are kept, up to a positive factor.
+/// NOTE: the root of x^2 is not x.
 MonomialSum Monomials::raised(const MonomialSum& base, const ex& exponent) {
-    if (base.empty()) throw TooManyTerms{};  // nothing, to a power that need not be positive
+    if (base.empty()) throw TooManyTerms{};  // a zero to a power that need not be positive
     if (exponent.info(GiNaC::info_flags::posint) && exponent < 200) {
         const auto times = static_cast<unsigned>(GiNaC::ex_to<numeric>(exponent).to_int());
         if (terms_of_power(base.size(), times) <= most_terms_of_power) return power(base, times);

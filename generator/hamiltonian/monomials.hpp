@@ -14,8 +14,8 @@
 
 namespace hvi::gen {
 
-/// A product of powers of bases, exp(a), and cos(f) or sin(f); a and f are sums without a constant
-/// term, known by their numbers, of which 0 is the sum of no terms.
+/// A product of powers of bases, exp(a), and cos(f) or sin(f). The sums a and f have no constant
+/// term and are known by their numbers; 0 is the empty sum.
 struct FunctionMonomial {
     std::vector<std::pair<std::size_t, GiNaC::ex>> powers;  ///< by base; no exponent is zero
     std::size_t exponential = 0;                            ///< a
@@ -27,32 +27,33 @@ struct FunctionMonomial {
     }
 };
 
-/// NOTE: it depends on where things are in memory. What is found by it must not.
+/// NOTE: this order depends on addresses in memory. Results must not depend on it.
 struct MonomialOrder {
     bool operator()(const FunctionMonomial& a, const FunctionMonomial& b) const;
 };
 
-/// Their sum; coefficients have no variables, and none is seen to be zero.
+/// A sum of monomials with coefficients. Coefficients have no variables, and none is seen to be
+/// zero.
 using MonomialSum = std::map<FunctionMonomial, GiNaC::ex, MonomialOrder>;
 
 struct MonomialSumOrder {
     bool operator()(const MonomialSum& a, const MonomialSum& b) const;
 };
 
-/// What powers are of: a variable, a sum in a denominator or under a root, or a function of which
-/// nothing is known but its name.
+/// The base of a power: a variable, a sum in a denominator or under a root, or a function of which
+/// only the name is known.
 struct MonomialBase {
     std::optional<GiNaC::symbol> variable;
     std::optional<MonomialSum> sum;
     std::string function;
-    std::vector<std::size_t> arguments;  ///< of the function, by their numbers
+    std::vector<std::size_t> arguments;  ///< numbers of the function's arguments
 };
 
 /// A sum has more terms than one can use.
 struct TooManyTerms {};
 
-/// Reads functions, and remembers what their monomials are made of. The variables are those of H or
-/// L and the time; parameters without a value are coefficients, in general position.
+/// Reads functions, and remembers the parts of their monomials. The variables are those of H or L
+/// and the time; parameters without a value are coefficients, in general position.
 ///
 /// A product of sines and cosines becomes a sum of them, hyperbolic functions exponentials, and
 /// products of exponentials one: sin^2 + cos^2 and exp(q) exp(-q) are 1.
@@ -60,18 +61,18 @@ class Monomials {
 public:
     explicit Monomials(const Algebra& algebra);
 
-    /// Nothing where it would throw TooManyTerms.
+    /// Returns nothing where the sum has too many terms.
     [[nodiscard]] std::optional<MonomialSum> sum(const GiNaC::ex& function);
 
-    /// A function of which nothing is known but its name.
+    /// Returns a function of which only the name is known.
     [[nodiscard]] MonomialSum unknown(const std::string& name);
 
-    /// The sum times a variable: 0 .. n-1 in the order of the algebra's.
+    /// Returns the sum times a variable: 0 .. n-1 in the algebra's order.
     [[nodiscard]] static MonomialSum times_variable(const MonomialSum& sum, std::size_t variable);
 
-    /// Throws TooManyTerms, as power() does.
+    /// Returns the product. Throws TooManyTerms, as power() does.
     [[nodiscard]] MonomialSum product(const MonomialSum& a, const MonomialSum& b);
-    /// Precondition: not negative.
+    /// Precondition: the exponent is not negative.
     [[nodiscard]] MonomialSum power(const MonomialSum& base, unsigned exponent);
 
     [[nodiscard]] const Algebra& algebra() const { return algebra_; }

@@ -13,7 +13,7 @@ namespace {
 
 using GiNaC::ex;
 
-/// How many terms a fraction has at most: above, and of each base below by its exponent.
+/// Upper bounds of the terms of a fraction: in the numerator, and in each base of the denominator.
 struct FractionTerms {
     double above = 1;
     std::map<ex, double, GiNaC::ex_is_less> below = {};
@@ -32,7 +32,7 @@ double terms_below(const FractionTerms& fraction) {
 
 FractionTerms fraction_terms(const ex& expression);
 
-/// Over one denominator.
+/// Bounds the terms of a sum over one denominator.
 FractionTerms terms_of_sum_of_fractions(const ex& sum) {
     FractionTerms result;
     double above = 0;

@@ -42,7 +42,7 @@ Relations relations(Monomials& monomials, std::vector<MonomialSum> functions,
             for (const SparseVector& row : rows) static_cast<void>(equations.insert(row));
             result.basis = equations.solutions(functions.size());
         } catch (const UndecidedEntry& entry) {
-            // A vector without it is a relation all the same.
+            // NOTE: a vector without this column is a relation all the same.
             undecided.insert(entry.column);
             for (SparseVector& row : rows) row.erase(entry.column);
             continue;

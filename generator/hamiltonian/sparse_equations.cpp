@@ -16,7 +16,7 @@ ex in_lowest_terms(const ex& entry) {
     return GiNaC::is_a<GiNaC::numeric>(entry) ? entry : normal_form(entry);
 }
 
-/// row - factor * pivot, where they have the first of the pivot's in common.
+/// Subtracts factor * pivot from a row, which removes the first entry of the pivot from the row.
 void subtract(SparseVector& row, const ex& factor, const SparseVector& pivot) {
     const ex times = factor;
     for (const auto& [column, entry] : pivot) {

@@ -9,32 +9,31 @@
 
 namespace hvi::gen {
 
-/// A vector, without its zeros.
+/// A vector without its zeros.
 using SparseVector = std::map<std::size_t, GiNaC::ex>;
 
-/// It is not known whether an entry is zero.
+/// Thrown where an entry is not known to be zero or not.
 struct UndecidedEntry {
     std::size_t column;
 };
 
-/// Gauss and Jordan's elimination, in general position of parameters. Each equation is solved for
-/// the first of its unknowns, so that those which are free stand as far behind as possible. All
-/// pivots are proved not to vanish.
+/// Gauss-Jordan elimination for parameters in general position. Each equation is solved for the
+/// first of its unknowns, so that the last unknowns stay free. All pivots are proved not to vanish.
 class SparseEquations {
 public:
     explicit SparseEquations(const Algebra& algebra) : algebra_(algebra) {}
 
-    /// Whether it says something new. Throws UndecidedEntry.
+    /// Inserts an equation. Returns whether it is independent of the others. Throws UndecidedEntry.
     [[nodiscard]] bool insert(SparseVector row);
 
-    /// What is left of the vector where those inserted are zero: in unknowns that are free.
+    /// Reduces a vector by the equations to the free unknowns.
     [[nodiscard]] SparseVector reduced(SparseVector row) const;
 
-    /// A basis of the vectors with so many entries that solve all; each is 1 at the last of its
-    /// own, where the others are 0.
+    /// Returns a basis of the solutions with `unknowns` entries. The last entry of each is 1, and
+    /// the others are 0 there.
     [[nodiscard]] std::vector<SparseVector> solutions(std::size_t unknowns);
 
-    /// The unknowns that are solved for.
+    /// Returns the unknowns that are solved for.
     [[nodiscard]] std::vector<std::size_t> pivots() const;
 
 private:

@@ -19,7 +19,7 @@ namespace {
 
 using Kind = Expression::Kind;
 
-/// Symbols of an expression among some names.
+/// Whether an expression has one of these symbols.
 bool has_any(const Expression& expression, const std::set<std::string>& names) {
     bool found = false;
     walk(expression, [&](const Expression& part) {
@@ -36,14 +36,14 @@ Expression sum_of_squares(const std::vector<Expression>& values) {
     return Expression::sum(std::move(terms));
 }
 
-/// base^(numerator/2).
+/// Returns base^(numerator/2).
 Expression half_power(Expression base, long numerator) {
     Expression exponent = Expression::product(
         {Expression::integer(numerator), Expression::reciprocal(Expression::integer(2))});
     return Expression::power(std::move(base), std::move(exponent));
 }
 
-/// The terms of a sum, also of sums with a sign or constant factors before them.
+/// The terms of a sum. A sum in it with a sign or constant factors is split too.
 class TermsOfH {
 public:
     explicit TermsOfH(std::set<std::string> variables) : variables_(std::move(variables)) {}
@@ -82,12 +82,12 @@ private:
     std::vector<Expression> found_;
 };
 
-/// H = T(p) + U(q, t).
+/// The parts of H = T(p) + U(q, t).
 struct PartsOfH {
     Expression T, U;
 };
 
-/// A scene on the way to scaled time.
+/// Transforms a scene to scaled time.
 class Scaling {
 public:
     explicit Scaling(WrittenOutScene scene)
@@ -133,7 +133,7 @@ private:
         return Expression::sum({H, Expression::symbol(p_t_)});
     }
 
-    /// K.
+    /// Returns K.
     [[nodiscard]] Expression scaled() const {
         const Expression zero = with_e(H_.expression);
         switch (kind()) {
@@ -165,7 +165,7 @@ private:
         return Expression::product({zero, half_power(Expression::sum(pairs()), -1)});
     }
 
-    /// Throws InputError where a term of H depends on q and on p.
+    /// Throws InputError where a term of H depends on both q and p.
     [[nodiscard]] PartsOfH parts() const {
         const std::vector<std::string> all = variables(H_);
         const std::set<std::string> q(H_.coordinates.begin(), H_.coordinates.end());
@@ -187,19 +187,20 @@ private:
         return {Expression::sum(std::move(T)), Expression::sum(std::move(U))};
     }
 
-    /// The value where the scene begins. Throws MathError, at the scale, where there is none.
+    /// Returns the value at the start of the scene. Throws MathError, at the scale, where there is
+    /// none.
     [[nodiscard]] Ball value_of(const Expression& expression, const SymbolValues& start,
                                 std::string_view what) const {
         try {
             return value_at(expression, start, nullptr);
         } catch (const MathError& error) {
-            throw MathError(std::string(what) + " has no value where the scene begins: " +
-                                error.what(),
+            throw MathError(std::string(what) +
+                                " has no value where the scene begins: " + error.what(),
                             place_);
         }
     }
 
-    /// Throws MathError where it is provably not positive at the start.
+    /// Throws MathError where the expression is provably not positive at the start.
     void check_positive(const Expression& expression, std::string_view what) const {
         const SymbolValues parameters = parameter_values(scene_);
         SymbolValues start = parameters;
@@ -211,7 +212,8 @@ private:
                         place_, "time has to go on as steps do");
     }
 
-    /// r^-3 of all pairs of bodies, or of the distance from the origin where there is one body.
+    /// Returns r^-3 of all pairs of bodies, or of the distance from the origin where there is one
+    /// body.
     [[nodiscard]] std::vector<Expression> pairs() const {
         const std::vector<std::vector<Expression>> bodies = this->bodies();
         std::vector<Expression> terms;
@@ -230,7 +232,8 @@ private:
         return terms;
     }
 
-    /// What tells bodies apart: `x[2]` and `y[2]`, `x2` and `y2`, `x[2,1]` and `x[2,3]` are of one.
+    /// Returns the name of a coordinate's body: `x[2]` and `y[2]`, `x2` and `y2`, `x[2,1]` and
+    /// `x[2,3]` belong to one body each.
     [[nodiscard]] static std::string body_of(const std::string& coordinate) {
         const std::size_t bracket = coordinate.find('[');
         if (bracket != std::string::npos)

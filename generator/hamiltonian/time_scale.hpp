@@ -6,18 +6,19 @@
 
 namespace hvi::gen {
 
-/// The scene with steps of s in place of t, where it says dt/ds = g. Time is another coordinate,
-/// whose momentum e begins as -H, so that H + e stays 0 (H. Poincare; E. Hairer, Appl. Numer. Math.
-/// 25, 1997, 219-227):
+/// Returns the scene with steps of s in place of t, where the scene gives dt/ds = g. Time becomes
+/// another coordinate, whose momentum e begins as -H, so that H + e stays 0 (H. Poincare; E.
+/// Hairer, Appl. Numer. Math. 25, 1997, 219-227):
 ///
 ///     K = g (H + e), and with the logarithmic scale K = log(T + e) - log(-U)
 ///
 /// for H = T(p) + U(q), which is separable again (M. Preto & S. Tremaine, AJ 118, 1999, 2532-2541).
-/// A scene without a scale stays what it is. Of an L this is that of its H, with momenta: K is
-/// linear in e, so that dt/ds does not tell e, and K has no Lagrangian.
+/// A scene without a scale is returned unchanged. A scene with an L is transformed to its H first,
+/// and keeps momenta: K is linear in e, so that dt/ds does not determine e, and K has no
+/// Lagrangian.
 ///
-/// Throws as with_hamiltonian() does, and InputError, with the place of the scale, for rotations
-/// and where H is not T(p) + U(q) and has to be; MathError where g is provably not positive at the
+/// Throws as with_hamiltonian() does; InputError, with the place of the scale, for rotations and
+/// where H is not T(p) + U(q) and has to be; MathError where g is provably not positive at the
 /// start.
 [[nodiscard]] WrittenOutScene with_time_scale(WrittenOutScene scene);
 

@@ -16,7 +16,8 @@ namespace hvi::gen {
 
 namespace {
 
-/// Each symbol at a number of its own, all in (0, 2): there few roots and logarithms fail.
+/// Returns a point with a different number for each symbol, all in (0, 2): few roots and logarithms
+/// fail there.
 SymbolValues point(const Algebra& algebra, std::size_t number) {
     SymbolValues values;
     std::size_t above = 29 + 17 * number;
@@ -30,7 +31,7 @@ SymbolValues point(const Algebra& algebra, std::size_t number) {
     return values;
 }
 
-constexpr std::size_t points = 4;  ///< that are tried
+constexpr std::size_t points = 4;  ///< points that are tried
 
 bool is_refuted(const Algebra& algebra, const Expression& expression) {
     for (std::size_t number = 0; number < points; ++number) {

@@ -1,4 +1,4 @@
-// From GiNaC's expressions to ours, in an order and with signs that depend on the expression alone.
+// Converts GiNaC's expressions to ours. Order and signs depend on the expression alone.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <algorithm>
 #include <iomanip>
@@ -18,17 +18,17 @@ using GiNaC::ex;
 using GiNaC::numeric;
 
 struct Term;
-using Terms = std::vector<Term>;  ///< their sum; sorted, none is zero
+using Terms = std::vector<Term>;  ///< the terms of a sum; sorted, none is zero
 
-/// An exponent with a key that is equal for equal ones.
+/// An exponent with a key; equal exponents have equal keys.
 struct Exponent {
     ex value;
     Terms terms;
     std::string key;
 };
 
-/// What can be the base of a power. The key begins with a digit for its kind: numbers, parameters
-/// and what depends on them only, variables, sums, functions stand in this order.
+/// A base of a power. The first digit of the key is its kind, in this order: numbers, parameters
+/// and functions of them only, variables, sums, functions.
 struct Base {
     std::string key;
     Expression expression;
@@ -40,7 +40,7 @@ struct Factor {
     Exponent exponent;
 };
 
-/// coefficient * product of the factors, which are sorted.
+/// A term: coefficient * product of the factors, which are sorted.
 struct Term {
     numeric coefficient = 1;
     std::vector<Factor> factors;
@@ -55,7 +55,8 @@ bool has_variables(const Factor& factor) {
     return factor.base.degree != 0 || depends(factor.exponent.terms);
 }
 
-/// The degree in the variables, as far as it matters; empty where it is no polynomial in them.
+/// Returns the degree in the variables, capped at `most`; empty where the term is no polynomial in
+/// them.
 std::optional<long> degree(const Term& term) {
     constexpr long most = 1'000'000'000;
     long sum = 0;
@@ -69,7 +70,7 @@ std::optional<long> degree(const Term& term) {
     return sum;
 }
 
-/// The highest degree.
+/// Returns the highest degree.
 std::optional<long> degree(const Terms& terms) {
     std::optional<long> highest = 0;
     for (const Term& term : terms) {
@@ -93,7 +94,7 @@ std::string key(const Terms& terms) {
     return text.str();
 }
 
-/// Polynomials come first, by degree; then what the variables are in decides, then the rest.
+/// Orders terms: polynomials first, by degree; then by the bases with variables, then by the rest.
 auto sort_key(const Term& term) {
     const auto polynomial = degree(term);
     std::string variables;
@@ -103,7 +104,7 @@ auto sort_key(const Term& term) {
     return std::tuple(!polynomial, polynomial.value_or(0), variables, key(term));
 }
 
-/// Equal terms collected, and sorted. NOTE: try_emplace moves from a term only where it is new.
+/// Collects equal terms, and sorts. NOTE: try_emplace moves from a term only where it is new.
 Terms collected(Terms terms) {
     std::map<decltype(sort_key(terms.front())), Term> sums;
     for (Term& term : terms) {
@@ -117,8 +118,8 @@ Terms collected(Terms terms) {
     return result;
 }
 
-/// Whether a sum is better written with the opposite sign in front: then the leading term is
-/// negative, the first of the highest degree where there are polynomials.
+/// Whether a sum is better written with the opposite sign in front: its leading term is negative.
+/// The leading term is the first of the highest degree where there are polynomials.
 bool wants_other_sign(const Terms& terms) {
     if (terms.empty()) { return false; }
     const Term* leading = &terms.front();
@@ -133,7 +134,7 @@ void negate(Terms& terms) {
     for (Term& term : terms) { term.coefficient = -term.coefficient; }
 }
 
-/// Higher powers first: of a whole number up to 9999 as text that sorts so.
+/// Returns text that sorts higher powers first, for whole numbers up to 9999.
 std::string falling(const numeric& exponent) {
     const bool small = exponent.is_nonneg_integer() && exponent < 10000;
     std::ostringstream text;
@@ -165,13 +166,13 @@ Base sum_base(const Terms& terms) {
     return {(highest == 0 ? "1~(" : "3(") + key(terms) + ")", sum(terms), highest};
 }
 
-/// Whether a power with this exponent stands below the bar.
+/// Whether a power with this exponent belongs to the denominator.
 bool is_below(const Exponent& exponent) {
     return std::all_of(exponent.terms.begin(), exponent.terms.end(),
                        [](const Term& term) { return term.coefficient.is_negative(); });
 }
 
-/// base^exponent, or its reciprocal where that stands below the bar.
+/// Returns base^exponent, or its reciprocal in a denominator.
 Expression raised(const Factor& factor) {
     Terms exponent = factor.exponent.terms;
     if (is_below(factor.exponent)) { negate(exponent); }
@@ -183,7 +184,7 @@ Expression raised(const Factor& factor) {
     return Expression::power(factor.base.expression, written);
 }
 
-/// Without the sign.
+/// Returns the term without its sign.
 Expression size(const Term& term) {
     std::vector<Expression> above, below;
     if (!GiNaC::abs(term.coefficient).is_equal(1)) { above.push_back(size_of(term.coefficient)); }
@@ -196,7 +197,7 @@ Expression size(const Term& term) {
     return Expression::product(std::move(above));
 }
 
-/// A sum does not begin with a minus sign where it need not: q^2-1, not -1+q^2.
+/// Returns the sum. It begins with a minus sign only where it must: q^2-1, not -1+q^2.
 Expression sum(const Terms& terms) {
     std::vector<Expression> summands;
     for (const Term& term : terms) {
@@ -253,7 +254,8 @@ Term Writer::term(const ex& expression) const {
     return result;
 }
 
-/// NOTE: what GiNaC evaluates is no power of a number unless the exponent is a fraction.
+/// Multiplies a term by a power. NOTE: GiNaC evaluates a power of a number unless the exponent is a
+/// fraction.
 void Writer::multiply(Term& term, const ex& power) const {
     const bool is_power = GiNaC::is_a<GiNaC::power>(power);
     const ex under = is_power ? power.op(0) : power;
@@ -273,8 +275,8 @@ void Writer::multiply(Term& term, const ex& power) const {
     }
 }
 
-/// NOTE: the sign that GiNaC gives to the sum under a power, and to one in a product, changes from
-/// run to run.
+/// Multiplies a term by a power of a sum. NOTE: GiNaC's sign of the sum under a power, or in a
+/// product, changes from run to run.
 void Writer::multiply_sum(Term& term, const ex& base, const ex& exponent) const {
     Terms summands = terms(base);
     if (wants_other_sign(summands)) {
@@ -284,7 +286,7 @@ void Writer::multiply_sum(Term& term, const ex& base, const ex& exponent) const 
     insert(term, sum_base(summands), exponent);
 }
 
-/// The same base is written once.
+/// Multiplies a term by a power, and writes an equal base once.
 void Writer::insert(Term& term, Base base, const ex& value) const {
     const auto position =
         std::lower_bound(term.factors.begin(), term.factors.end(), base.key,

@@ -1,4 +1,4 @@
-// What can be known of an expression that may be zero.
+// The knowledge about an expression that may be zero.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 

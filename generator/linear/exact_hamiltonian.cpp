@@ -20,7 +20,7 @@ const NumberMatrix& ExactSeries::operator[](std::size_t k) {
     return E_[k];
 }
 
-/// (k + 1) E_(k+1) = sum over i + j = k of end_i^T H end_j.
+/// By (k + 1) E_(k+1) = sum over i + j = k of end_i^T H end_j.
 void ExactSeries::append() {
     const std::size_t k = E_.size() - 1;
     const std::size_t n = H_.size() / 2;
@@ -40,7 +40,7 @@ void ExactSeries::append() {
 namespace {
 
 /// Whether the flow exp(h J S) is a polynomial in h. NOTE: the powers of a nilpotent matrix have
-/// trace 0, and most others end here with the first.
+/// trace 0; for most other matrices the first power has another trace.
 bool is_nilpotent(const NumberMatrix& S) {
     const std::size_t n = S.size() / 2;
     NumberMatrix power = (lower_half_up(n) + upper_half_down(n) * Number(-1)) * S;
@@ -53,8 +53,8 @@ bool is_nilpotent(const NumberMatrix& S) {
     return is_zero(power);
 }
 
-/// The series, where it ends with h^m for m = 2n + 1 or before. NOTE: once m + 1 coefficients more
-/// are zero the sum up to h^m satisfies (2.7), the right side of which is quadratic in it.
+/// Returns the series if it ends with h^m for m = 2n + 1 or before. NOTE: once m + 1 further
+/// coefficients are zero the sum up to h^m satisfies (2.7), whose right side is quadratic in it.
 std::optional<QuadraticForm> sum_of_series(const QuadraticForm& H, const Number& h) {
     if (!is_nilpotent(H.S)) { return std::nullopt; }
     const std::size_t m = H.S.size() + 1;
@@ -89,7 +89,7 @@ std::optional<Wave> wave(const Number& square, const Ground& ground) {
     return std::nullopt;
 }
 
-/// Precondition: one degree of freedom.
+/// Returns the closed form of an oscillation. Precondition: one degree of freedom.
 std::optional<QuadraticForm> of_oscillation(const QuadraticForm& H, const Ground& ground) {
     const Number& a = H.S[0][0];
     const Number& b = H.S[0][1];
@@ -102,8 +102,8 @@ std::optional<QuadraticForm> of_oscillation(const QuadraticForm& H, const Ground
     const NumberMatrix E = {{a * sine / M22, Number(1) / M22}, {Number(1) / M22, c * sine / M22}};
     if (H.g[0].is_zero() && H.g[1].is_zero()) { return QuadraticForm{E, H.g, Number(0)}; }
     if (square.is_zero()) { return std::nullopt; }
-    // About the point x = (q, p) where grad H = 0: in what goes on there q_0 - q and p_1 - p take
-    // the places of q_0 and p_1, to which q_0 p + q p_1 - q p + h H(x) is added.
+    // Works about the point x = (q, p) where grad H = 0: there q_0 - q and p_1 - p take the places
+    // of q_0 and p_1, and q_0 p + q p_1 - q p + h H(x) is added.
     const NumberVector x = {(b * H.g[1] - c * H.g[0]) / square, (b * H.g[0] - a * H.g[1]) / square};
     const NumberVector Ex = E * x;
     const Number half = Number(1) / Number(2);

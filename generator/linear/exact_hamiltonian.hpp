@@ -1,4 +1,4 @@
-// The exact discrete right Hamiltonian of a quadratic one.
+// The exact discrete right Hamiltonian of a quadratic H.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -18,7 +18,7 @@ class ExactSeries {
 public:
     explicit ExactSeries(const QuadraticForm& H);
 
-    /// The coefficient of h^k.
+    /// Returns the coefficient of h^k.
     [[nodiscard]] const NumberMatrix& operator[](std::size_t k);
 
 private:
@@ -29,12 +29,12 @@ private:
     std::vector<NumberMatrix> end_of_E_;  ///< (q_1, p_1, 1) as functions of (q_0, p_1, 1)
 };
 
-/// The exact discrete right Hamiltonian (4.1) where it is known in closed form: where its series
-/// ends (free particles, also in a constant field), and for one degree of freedom with frequency
-/// omega^2 = H_qq H_pp - H_qp^2, where the square root of omega^2 or -omega^2 is in the field.
-/// There it is (q_0 p_1 + (H_pp p_1^2 + H_qq q_0^2) s/2)/(c - H_qp s) with c = cos(omega h) and
-/// s = sin(omega h)/omega for H without a linear part. Precondition: the degrees of freedom are
-/// coupled.
+/// Returns the exact discrete right Hamiltonian (4.1) where its closed form is known. One case is a
+/// series that ends (free particles, also in a constant field). The other is one degree of freedom
+/// with the frequency omega^2 = H_qq H_pp - H_qp^2, where the square root of omega^2 or -omega^2 is
+/// in the field. There it is (q_0 p_1 + (H_pp p_1^2 + H_qq q_0^2) s/2)/(c - H_qp s) with c =
+/// cos(omega h) and s = sin(omega h)/omega for H without a linear part. Precondition: the degrees
+/// of freedom are coupled.
 [[nodiscard]] std::optional<QuadraticForm> exact_discrete_hamiltonian(const QuadraticForm& H,
                                                                       const Ground& ground);
 

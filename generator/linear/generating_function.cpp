@@ -16,7 +16,7 @@ bool are_equal(const NumberMatrix& left, const NumberMatrix& right) {
     return is_zero(left + right * Number(-1));
 }
 
-/// C of the stages as functions of (q_0, p_1): P^i = p_1 + h sum_j (b_j - a~_ij) dH/dq^j.
+/// Returns C of the stages as functions of (q_0, p_1): P^i = p_1 + h sum_j (b_j - a~_ij) dH/dq^j.
 NumberMatrix from_the_end(const StageFunctions& stages) {
     return transpose({stages.one}) * NumberMatrix{stages.b} + stages.A_tilde * Number(-1);
 }
@@ -27,7 +27,7 @@ struct StageValues {
     NumberMatrix x, K;  ///< 2ns x (2n + 1)
 };
 
-/// H_d^+ of (4.19), whose third line is
+/// H_d^+ of (4.19), in whose third line
 ///
 ///     H_d^+ = q_0 p_1 + h sum_i b_i ((p_1 - P^i) V^i + H(Q^i, P^i)),
 ///
@@ -40,9 +40,9 @@ public:
     DiscreteHamiltonian(const StageFunctions& stages, const QuadraticForm& H);
 
     [[nodiscard]] QuadraticForm closed_form(const Number& h) const;
-    /// (p_0, q_1) of the step as functions of y.
+    /// Returns (p_0, q_1) of the step as functions of y.
     [[nodiscard]] NumberMatrix other_ends(const Number& h) const;
-    /// The lowest power of h, up to h^last, in which its series differs from the exact one.
+    /// Returns the lowest power of h, up to h^last, in which its series differs from the exact one.
     [[nodiscard]] std::optional<int> first_difference(ExactSeries exact, int last) const;
 
 private:
@@ -87,14 +87,15 @@ QuadraticForm DiscreteHamiltonian::closed_form(const Number& h) const {
     values.one = polynomial(K_.denominator, h);
     values.K = polynomial(K_.numerator, h) * gradient_;
     values.x = y_ * values.one + K_.L * values.K * h;
-    // NOTE: one after the other, as the sum is a multiple of `one` when the method is symplectic.
+    // NOTE: two divisions one after the other, as the sum is a multiple of `one` when the method is
+    // symplectic.
     const Number reciprocal = Number(1) / values.one;
     NumberMatrix form = transpose(left(values)) * right(values) * h * reciprocal * reciprocal;
     for (std::size_t i = 0; i < n_; ++i) { form[n_ + i][i] = form[n_ + i][i] + Number(1); }
     return without_border(form + transpose(form));
 }
 
-/// p_0 = p_1 + h b.W and q_1 = q_0 + h b.V with K = (W, V).
+/// By p_0 = p_1 + h b.W and q_1 = q_0 + h b.V with K = (W, V).
 NumberMatrix DiscreteHamiltonian::other_ends(const Number& h) const {
     const NumberMatrix swap = lower_half_up(n_) + upper_half_down(n_);
     const NumberMatrix weights = kronecker(identity(2 * n_), {stages_.b});
@@ -102,7 +103,7 @@ NumberMatrix DiscreteHamiltonian::other_ends(const Number& h) const {
     return (swap * start_ * one + K_.weighted(weights, h) * gradient_ * h) * (Number(1) / one);
 }
 
-/// The stages' own series: x_0 = y, K_0 = S x_0 + g, and then x_k = L K_(k-1), K_k = S x_k.
+/// By the stages' own series: x_0 = y, K_0 = S x_0 + g, and then x_k = L K_(k-1), K_k = S x_k.
 std::optional<int> DiscreteHamiltonian::first_difference(ExactSeries exact, int last) const {
     const NumberMatrix S = kronecker(H_.S, identity(stages_.count()));
     StageValues values{Number(1), y_, S * y_ + g_};
@@ -141,7 +142,7 @@ void add_difference(GeneratingFunction& sum, const std::optional<int>& order) {
     sum.is_at_least = false;
 }
 
-/// Whether d2H_d^+/dp_1^2 is regular: that times dp_1/dp_0, which is, is dq_1/dp_0.
+/// Whether d2H_d^+/dp_1^2 is regular. Its product with dp_1/dp_0, which is regular, is dq_1/dp_0.
 bool has_type_one(const QuadraticForm& discrete) {
     const std::size_t n = discrete.degrees_of_freedom();
     NumberMatrix by_p;
@@ -152,7 +153,7 @@ bool has_type_one(const QuadraticForm& discrete) {
     return inverse(by_p).has_value();
 }
 
-/// Adds what `part` has of H.
+/// Adds the generating function of a part of H.
 void add(GeneratingFunction& sum, const QuadraticForm& H, const UncoupledPart& part,
          const StageFunctions& stages, const Ground& ground) {
     const Number h = ground.parameter("h");
@@ -174,7 +175,7 @@ void add(GeneratingFunction& sum, const QuadraticForm& H, const UncoupledPart& p
 GeneratingFunction function_of(const StageFunctions& stages, const QuadraticForm& H,
                                const Ground& ground) {
     const Progress::Stage stage("computing the generating function");
-    // NOTE: twice what the highest possible order, 2s, asks for: some H are kinder than others.
+    // NOTE: twice the highest possible order, 2s, is computed: the order is higher for some H.
     const int powers = 4 * static_cast<int>(stages.count()) + 6;
     GeneratingFunction result = zero(H.g.size(), powers + 1);
     for (const UncoupledPart& part : uncoupled_parts(H)) {

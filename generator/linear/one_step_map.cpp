@@ -9,7 +9,7 @@ namespace hvi::gen {
 
 namespace {
 
-/// x_1 = x_0 + h J (I (x) b^T) K, and K is linear in S x_0 + g.
+/// By x_1 = x_0 + h J (I (x) b^T) K, where K is linear in S x_0 + g.
 LinearMap map_of_part(const StageFunctions& stages, const QuadraticForm& H, const Number& h) {
     const std::size_t n = H.degrees_of_freedom();
     const StageGradients K = stage_gradients(H.S, stages, stages.A_tilde * Number(-1));
@@ -20,7 +20,7 @@ LinearMap map_of_part(const StageFunctions& stages, const QuadraticForm& H, cons
     return {(identity(2 * n) * D + slope * H.S) * reciprocal, slope * H.g * reciprocal};
 }
 
-/// Of degrees of freedom that are not coupled each has a map of its own, and they are put together.
+/// Computes a map for each uncoupled part of the degrees of freedom, and puts these together.
 LinearMap map_of(const StageFunctions& stages, const QuadraticForm& H, const Ground& ground) {
     const Progress::Stage stage("computing the map of one step");
     const Number h = ground.parameter("h");

@@ -53,14 +53,14 @@ StageFunctions checked(StageFunctions stages, const QuadraticForm& H) {
     return stages;
 }
 
-/// The rows of S for p, and of these the columns for q and for p.
+/// Returns the rows of S for p, split into the columns for q and for p.
 std::pair<NumberMatrix, NumberMatrix> pq_and_pp(const NumberMatrix& S) {
     const std::size_t n = S.size() / 2;
     const NumberMatrix columns = transpose(rows(S, n, 2 * n));
     return {transpose(rows(columns, 0, n)), transpose(rows(columns, n, 2 * n))};
 }
 
-/// -pp^-1 pq
+/// Returns -pp^-1 pq.
 NumberMatrix momenta_by_positions(const NumberMatrix& S) {
     const auto [pq, pp] = pq_and_pp(S);
     const auto known = inverse(pp);
@@ -73,7 +73,7 @@ NumberMatrix momenta_by_positions(const NumberMatrix& S) {
     return known->adjugate * pq * (Number(-1) / known->determinant);
 }
 
-/// Its lower right block.
+/// Returns the lower right block of L.
 NumberMatrix momenta_by_velocities(const NumberMatrix& S, const StageFunctions& stages) {
     const std::size_t half = S.size() / 2 * stages.count();
     return stages.outside.empty() ? zeros(half, half)

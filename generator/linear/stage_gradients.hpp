@@ -16,39 +16,39 @@ namespace hvi::gen {
 ///
 ///     K = (I - h (S (x) I) L)^-1 ((S (q, p) + g) (x) 1),    L = (0 A; C 0),
 ///
-/// where variable i on stage (or with coordinate) a stands in place i s + a. Of a rule (4.6d) gives
-/// the projection of P - p onto its span, and (4.6e) the rest: dH/dp is in the span, so that with
-/// the blocks pp and pq of S
+/// where variable i on stage (or with coordinate) a stands in place i s + a. For a rule (4.6d)
+/// gives the projection of P - p onto its span, and (4.6e) the rest: dH/dp is in the span, so that
+/// with the blocks pp and pq of S
 ///
 ///     P = p 1 + h C W - h (pp^-1 pq (x) F) V,    L = (0 A; C -pp^-1 pq (x) F),
 ///
 /// where F = `outside` of StageFunctions.
 struct StageGradients {
     NumberMatrix L;  ///< 2ns x 2ns
-    /// K = sum_k numerator[k] h^k / sum_k denominator[k] h^k (S (q, p) + g)
+    /// The numerators of K = sum_k numerator[k] h^k / sum_k denominator[k] h^k (S (q, p) + g)
     std::vector<NumberMatrix> numerator;  ///< 2ns x 2n
     NumberVector denominator;             ///< det(I - h (S (x) I) L), 1 at h = 0
 
-    /// sum_k weights numerator[k] h^k
+    /// Returns sum_k weights numerator[k] h^k.
     [[nodiscard]] NumberMatrix weighted(const NumberMatrix& weights, const Number& h) const;
 };
 
-/// Throws MathError when this would take minutes; of a rule TooLarge when it would take seconds,
-/// and MathError where d2H/dp2 is singular.
+/// Returns the gradients. Throws MathError when this would take minutes; for a rule TooLarge when
+/// it would take seconds, and MathError where d2H/dp2 is singular.
 [[nodiscard]] StageGradients stage_gradients(const NumberMatrix& S, const StageFunctions& stages,
                                              const NumberMatrix& C);
 
-/// Those of a method whose map is asked for. Throws MathError when one that is needed, or one of
-/// H, has no closed form.
+/// Returns the functions of a method whose map is asked for. Throws MathError when one that is
+/// needed, or one of H, has no closed form.
 [[nodiscard]] StageFunctions exact_stage_functions(const Tableau& tableau, const QuadraticForm& H);
 [[nodiscard]] StageFunctions exact_stage_functions(const GalerkinRule& rule,
                                                    const QuadraticForm& H);
 
-/// The 2n x 2n matrix (0 I; 0 0), with which x = (q, p) goes to (p, 0), and its transpose.
+/// Return the 2n x 2n matrix (0 I; 0 0), with which x = (q, p) goes to (p, 0), and its transpose.
 [[nodiscard]] NumberMatrix lower_half_up(std::size_t n);
 [[nodiscard]] NumberMatrix upper_half_down(std::size_t n);
 
-/// sum_k coefficients[k] h^k. Precondition: there is one.
+/// Returns sum_k coefficients[k] h^k. Precondition: there is at least one coefficient.
 template <class Value>
 [[nodiscard]] Value polynomial(const std::vector<Value>& coefficients, const Number& h) {
     Value result = coefficients.back();

@@ -10,10 +10,10 @@
 
 namespace hvi::gen {
 
-/// A system without values, which begins at parameters of its own where it can, and the numbers
-/// that its steppers are made of: sizes, parameters, starting values, lists. Starting values stay
-/// in the system where they depend on indices or files, or on functions of the user's own, lists
-/// where one is in a file, and both where there are thousands.
+/// A system without values, and the numbers of its steppers: sizes, parameters, starting values,
+/// lists. Starting values become parameters of the system where they can. They stay in the system
+/// where they depend on indices or files, or on functions of the user's own; lists stay where one
+/// is in a file; both stay where there are thousands.
 struct DrivenSystem {
     System system;
     std::vector<double> numbers;
@@ -21,13 +21,13 @@ struct DrivenSystem {
 
 [[nodiscard]] DrivenSystem driven_system(const System& system);
 
-/// A source, for src/hvi/detail/module/driven.hpp, and numbers as of a DrivenSystem. Solvers that
+/// A source, for src/hvi/detail/module/driven.hpp, and numbers as in a DrivenSystem. Solvers that
 /// steps seldom call are a library of their own. The sources depend neither on values of
-/// parameters, nor on sizes, nor on where the scene begins, so that what is compiled for one of
-/// them serves all.
+/// parameters, nor on sizes, nor on the start of the scene, so that one compiled module serves for
+/// all of these.
 struct DrivenModule {
     std::string source;
-    std::optional<std::string> solvers;  ///< the source of these
+    std::optional<std::string> solvers;  ///< the source of that library
     std::vector<double> numbers;
 };
 

@@ -1,4 +1,4 @@
-// What packages in Python have of the package hvi, which is part of hvi-gen.
+// Files of the package hvi for packages in Python, which are part of hvi-gen.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -8,7 +8,7 @@
 
 namespace hvi::gen {
 
-/// The files of python/hvi that steppers need, by their names there.
+/// Returns the files of python/hvi that steppers need, by their names there.
 [[nodiscard]] std::span<const EmbeddedFile> embedded_python();
 
 }  // namespace hvi::gen

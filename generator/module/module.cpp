@@ -20,7 +20,7 @@ std::vector<std::string> names_of(const System& system, const std::vector<Node>&
     return names;
 }
 
-/// Families with the names of others, which has one for each.
+/// Gives families other names, one for each.
 std::vector<SystemFamily> renamed(std::vector<SystemFamily> families,
                                   const std::vector<std::string>& names) {
     for (std::size_t k = 0; k < names.size(); ++k) { families[k].name = names[k]; }
@@ -33,7 +33,7 @@ std::vector<SystemFamily> families(const std::vector<std::string>& names) {
     return result;
 }
 
-/// Coordinates as numbers of a state: of a system that is written out one by one.
+/// Returns the coordinates as numbers of a state; those of a written-out system one by one.
 std::vector<SystemFamily> coordinates(const System& system) {
     if (!system.is_written_out()) { return system.coordinates; }
     return families(names_of(system, coordinate_nodes(system)));
@@ -53,7 +53,7 @@ std::string lines(const std::vector<SystemFamily>& families) {
     return writer.str();
 }
 
-/// A comment line for each of these.
+/// Returns a comment line for each item.
 std::string comment_lines(const std::vector<std::string>& items) {
     Writer writer(0);
     for (const std::string& item : items) { writer.comment(item, "//     ", 4); }

@@ -13,7 +13,7 @@ struct CModule {
     std::string header, source;
 };
 
-/// Adds what a module computes of states, and the name of its class, to what a user wishes for.
+/// Adds the members that modules need, and the name of its class, to the user's wishes.
 [[nodiscard]] StepperWishes module_wishes(StepperWishes wishes, const std::string& name);
 
 /// Writes the module. `command` writes it again. Preconditions: `stepper` is made with

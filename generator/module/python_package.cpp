@@ -14,7 +14,7 @@ namespace hvi::gen {
 
 namespace {
 
-/// A string of Python with this text.
+/// Returns a string of Python with this text.
 std::string python_text(const std::string& text) {
     std::string result = "\"";
     for (const char letter : text) {
@@ -35,7 +35,7 @@ std::string python_number(const std::optional<double>& value) {
     return value ? fmt::format("{}", *value) : "None";
 }
 
-/// Entries of a dictionary: sizes and numbers with their defaults.
+/// Returns entries of a dictionary: sizes and numbers with their defaults.
 std::string python_numbers(const System& system) {
     std::vector<std::string> names;
     if (has_sizes(system)) {
@@ -66,7 +66,7 @@ std::string python_lists(const System& system) {
     return writer.str();
 }
 
-/// Directory of the scene, from where its files are found; empty where it reads none.
+/// Returns the directory of the scene, from which its files are found; empty where it reads none.
 std::string directory(const System& system) {
     if (!system.reads_files()) { return ""; }
     return std::filesystem::absolute("." / system.directory).lexically_normal().string();

@@ -27,12 +27,12 @@ struct PackageScene {
     std::vector<ComputedParameter> computed;  ///< in the order of the scene
 };
 
-/// The name of the library in a package of that name.
+/// Returns the name of the library in a package of that name.
 [[nodiscard]] std::string package_library(const std::string& name);
 
-/// Writes the files of the package beside its library: the class Stepper, what it needs of the
-/// package hvi, and what the library does not know of itself, as defaults of parameters. `command`
-/// writes them again. Preconditions: as of c_module().
+/// Writes the files of the package beside its library: the class Stepper, the files of the package
+/// hvi that it needs, and defaults of parameters, which the library does not know. `command` writes
+/// them again. Preconditions are those of c_module().
 [[nodiscard]] std::vector<PackageFile> python_package(const SceneStepper& stepper,
                                                       const std::string& name,
                                                       const std::string& command,

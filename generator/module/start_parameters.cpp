@@ -25,7 +25,7 @@ bool depends_on_parameters_alone(const Graph& graph, const Scaled& value) {
     return (graph.at(value.node).roles & ~static_cast<Roles>(Role::parameter)) == 0;
 }
 
-/// The starting values of a family that depend on parameters alone.
+/// Returns the starting values of a family that depend on parameters only.
 std::vector<Scaled*> places(const Graph& graph, SystemStart& start) {
     std::vector<Scaled*> result;
     const auto add = [&](Scaled& value) {
@@ -50,7 +50,8 @@ std::vector<Scaled*> places(System& system) {
     return result;
 }
 
-/// The double that is nearest to a value; empty where nothing here can tell, or it has none.
+/// Returns the double nearest to a value; empty where it has none, or where it cannot be computed
+/// here.
 std::optional<double> number(const Graph& graph, const Scaled& value,
                              const std::map<std::string, Expression>& parameters) {
     // NOTE: both are exact, and the quotient is rounded once.

@@ -8,16 +8,16 @@
 
 namespace hvi::gen {
 
-/// A system that begins at parameters of its own, the last ones, and their values: correctly
-/// rounded.
+/// A system that begins at parameters of its own, which are the last ones, and their correctly
+/// rounded values.
 struct StartParameters {
     System system;
     std::vector<double> values;
 };
 
-/// Makes parameters of the starting values that depend on parameters alone. None is one where the
-/// value of any has no number here, or where there are thousands. NOTE: of functions of the user's
-/// own only a compiler knows values, and thousands are too many words for a command line.
+/// Makes parameters of the starting values that depend on parameters only. Makes none where one of
+/// their values cannot be computed here, or where there are thousands. NOTE: only a compiler knows
+/// values of the user's own functions, and thousands are too many words for a command line.
 [[nodiscard]] StartParameters with_start_parameters(System system);
 
 }  // namespace hvi::gen

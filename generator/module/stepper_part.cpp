@@ -17,7 +17,7 @@ namespace hvi::gen {
 
 namespace {
 
-/// A whole number of sizes, as members of `parameters`.
+/// Returns a whole number made of sizes, as members of `parameters`.
 std::string whole(const AffineForm& form) {
     return whole_number(form,
                         [](const std::string& name) { return "parameters." + member_of(name); });
@@ -34,7 +34,7 @@ std::string default_of(const SystemTable& table) {
     return text;
 }
 
-/// Whether lists have one index, and as many values as each other: then they may have more or less.
+/// Whether lists have one index, and equally many values. They may then have more or fewer values.
 bool are_equally_long(const std::vector<SystemTable>& tables) {
     return std::all_of(tables.begin(), tables.end(), [&](const SystemTable& table) {
         return table.family.ranges.size() == 1 &&
@@ -42,8 +42,8 @@ bool are_equally_long(const std::vector<SystemTable>& tables) {
     });
 }
 
-/// A list, after which there are so many of `tables`. Where it has one index it is as long as it is
-/// given: `{"m", hvi::detail::range_of(parameters.m, 1)},`.
+/// Returns the entry of a list; `after` is the number of `tables` after it. A list with one index
+/// has the given length: `{"m", hvi::detail::range_of(parameters.m, 1)},`.
 ModuleParameter list(const SystemTable& table, const std::vector<SystemTable>& tables,
                      std::size_t after) {
     const std::string member = "parameters." + member_of(table.family.name);
@@ -129,7 +129,7 @@ std::vector<double> values_of_numbers(const System& system) {
 
 namespace {
 
-/// Statements that read parameters. NOTE: lists at the end may be left out together.
+/// Returns the statements that read parameters. NOTE: lists at the end may be left out together.
 std::string setting(const System& system) {
     Writer writer(2);
     const std::vector<ModuleParameter> all = module_parameters(system);

@@ -1,4 +1,4 @@
-// What options with a few possible values choose between; their names stand in option_table.cpp.
+// Values of options with a few possible values; their names stand in option_table.cpp.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -10,16 +10,16 @@ enum class TableauFormat { text, json, latex, markdown, csv };
 enum class CertificateFormat { text, json };
 enum class EquationsFormat { text, json, latex };
 
-/// What `list` prints.
+/// Topics of `list`.
 enum class Topic { all, bases, nodes, methods, scenes, functions };
 
 /// Lyapunov exponents of a run.
 enum class Exponents { largest, spectrum };
 
-/// What a run leaves.
+/// Files of a run.
 enum class RunFile { table, picture, summary };
 
-/// Files that a report is written to, and parts that it is made of.
+/// Files and parts of a report.
 enum class ReportItem {
     html,
     json,
@@ -36,10 +36,10 @@ enum class ReportItem {
 
 /// The records on the way to a header, in the order in which they are made.
 enum class Stage {
-    method,   ///< as it was read
+    method,   ///< the method as read
     tableau,  ///< its exact coefficients
     system,   ///< H, its derivatives and the rest of a scene, as a graph
-    step,     ///< what is solved, evaluated and kept, and why
+    step,     ///< values to solve, evaluate and keep, with reasons
 };
 
 /// Languages that a module is called from.

@@ -1,4 +1,4 @@
-// Finding rows, and saying what they say.
+// Finds rows of the table, and words them.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <algorithm>
 

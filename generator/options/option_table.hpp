@@ -1,6 +1,6 @@
-// The commands of hvi-gen and their options, in one table: what is parsed, what --help, the
-// completions of shells and the man page say, what excludes what, and which options a generated
-// header quotes.
+// The commands of hvi-gen and their options in one table. The parser, --help, the completions of
+// shells and the man page follow it. It also has exclusions, and the options that headers
+// quote.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -15,7 +15,8 @@
 
 namespace hvi::gen {
 
-/// To come is what CONTRACT.md has and nobody has built: it is refused, and not shown.
+/// Whether an entry is built or to come. An entry of CONTRACT.md that is to come is refused, and
+/// not shown.
 enum class State { built, to_come };
 
 enum class Command {
@@ -39,7 +40,7 @@ enum class Command {
 struct CommandEntry {
     Command command;
     std::string_view name;
-    std::string_view words;  ///< that stand behind it where options follow: `METHOD [SCENE]`
+    std::string_view words;  ///< words behind it where options follow: `METHOD [SCENE]`
     std::string_view help;   ///< a line
     State state = State::built;
 };
@@ -63,7 +64,7 @@ private:
     unsigned bits_ = 0;
 };
 
-/// What stands behind an option: how it is checked, and what a shell proposes.
+/// Kinds of values of options: they determine the checks, and the proposals of shells.
 enum class Value {
     none,
     mode,  ///< none, or one of the choices behind `=`
@@ -82,7 +83,7 @@ enum class Value {
     scene,
 };
 
-/// A possible value of an option, and which enumerator it is.
+/// A possible value of an option, and its enumerator.
 struct Choice {
     std::string_view name;
     int value;
@@ -98,11 +99,11 @@ struct WholeRange {
     int least = 0, most = 0;
 };
 
-/// Other options, named between blanks, and what is said where it is not as with them it should be.
-/// In `needs`, one of `SCENE|--hamiltonian` is enough.
+/// Space-separated names of related options, and the error text when the relation is violated. In
+/// `needs`, one of `SCENE|--hamiltonian` is enough.
 struct Relation {
     std::string_view others = {};
-    std::string_view what = {};  ///< in place of the usual words; `{}` is the other option
+    std::string_view what = {};  ///< replaces the usual words; `{}` is the other option
     std::string_view help = {};
 };
 
@@ -112,13 +113,13 @@ using WishMember =
                  Wish<Lanes> StepperWishes::*, Unroll StepperWishes::*,
                  std::optional<Composition> StepperWishes::*, Given StepperWishes::*>;
 
-/// A row. An option may have several, of different commands; in each it means the same.
+/// A row of the table. An option may have several rows for different commands, with one meaning.
 struct OptionEntry {
-    std::string_view name;               ///< `--output`; of a word that stands alone `SCENE`
+    std::string_view name;               ///< `--output`; `SCENE` for a word that stands alone
     std::string_view abbreviation = {};  ///< `-o`
-    Commands of = {};                    ///< that take it
+    Commands of = {};                    ///< the commands that take it
     Value value = Value::none;
-    std::string_view placeholder = {};     ///< of the value: `FILE`
+    std::string_view placeholder = {};     ///< the name of the value: `FILE`
     std::span<const Choice> choices = {};  ///< where the value is one of them, or some
     WholeRange range = {};                 ///< where the value is a whole number
     std::string_view help = {};            ///< a line; choices are listed behind it
@@ -129,52 +130,54 @@ struct OptionEntry {
     State state = State::built;
 
     [[nodiscard]] constexpr bool is_word() const { return !name.starts_with('-'); }
-    /// Whether a word belongs to it.
+    /// Whether a word belongs to the option.
     [[nodiscard]] constexpr bool takes_word() const {
         return value != Value::none && value != Value::mode;
     }
 };
 
-/// In the order in which they are shown; a generated header quotes wishes in this order too.
+/// Returns the rows in the order in which they are shown. A generated header quotes wishes in this
+/// order too.
 [[nodiscard]] std::span<const OptionEntry> option_table();
 [[nodiscard]] std::span<const CommandEntry> command_table();
 
-/// What METHOD is, for people: lines.
+/// Explains METHOD to people, in lines.
 [[nodiscard]] std::string_view method_help();
 
-/// The rows of a command.
+/// Returns the rows of a command.
 [[nodiscard]] std::vector<const OptionEntry*> options_of(Command command);
 [[nodiscard]] std::vector<const OptionEntry*> options_of(Command command, State state);
 
-/// By its name or abbreviation; null where the command takes no such option.
+/// Returns the option with this name or abbreviation; null where the command takes none.
 [[nodiscard]] const OptionEntry* find_option(Command command, std::string_view name);
 
-/// The same. Precondition: the command takes it.
+/// Returns the option with this name or abbreviation. Precondition: the command takes it.
 [[nodiscard]] const OptionEntry& option_of(Command command, std::string_view name);
 
-/// Null where there is no command of this name.
+/// Returns null where there is no command of this name.
 [[nodiscard]] const CommandEntry* find_command(std::string_view name);
 [[nodiscard]] const CommandEntry& entry_of(Command command);
 
-/// The options that exclude this one or are excluded by it, and are built.
+/// Returns the built options that exclude this one or are excluded by it.
 [[nodiscard]] std::vector<const OptionEntry*> not_beside(const OptionEntry& option,
                                                          Command command);
 
-/// `text, json or latex`
+/// Returns `text, json or latex`.
 [[nodiscard]] std::string names_of(std::span<const Choice> choices);
-/// Names of those that are built.
+/// Returns the names of choices that are built.
 [[nodiscard]] std::vector<std::string_view> built(std::span<const Choice> choices);
 
-/// The help of an option, with its choices.
+/// Returns the help of an option, with its choices.
 [[nodiscard]] std::string help_of(const OptionEntry& option);
 
-/// The pieces between separators.
+/// Returns the pieces between separators.
 [[nodiscard]] std::vector<std::string_view> split(std::string_view text, char separator);
 
-/// How a message speaks of an option: `--solver`; `a scene` where it is the word SCENE.
+/// Returns an option's name in messages: `--solver`; `a scene` for the word SCENE.
 [[nodiscard]] std::string spoken(std::string_view name);
 
-/// The options of `hvi-gen stepper` that wish the same: ` --compose yoshida:4 --energy`.
+/// Returns the options of `hvi-gen stepper` that make these wishes: ` --compose yoshida:4
+/// --energy`.
 [[nodiscard]] std::string options_for(const StepperWishes& wishes,
                                       Command command = Command::stepper);
 

@@ -1,4 +1,4 @@
-// Wishes as the options that make them.
+// Converts wishes to the options that make them.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <algorithm>
 #include <string>
@@ -20,7 +20,7 @@ std::string option_for(const OptionEntry& option, Enumeration wished, Enumeratio
     return " " + std::string(option.name) + " " + std::string(chosen->name);
 }
 
-/// What an option says of each kind of member; nothing where the wish is the usual one.
+/// Returns the text of an option for each kind of member; empty where the wish is the usual one.
 struct Quotation {
     const OptionEntry& option;
     const StepperWishes& wishes;

@@ -1,4 +1,4 @@
-// Programs that are compiled side by side.
+// Programs that are compiled in parallel.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -17,17 +17,16 @@
 
 namespace hvi::gen {
 
-/// Where a program is once it is compiled. Its get() waits, and throws what built_program() does,
-/// and Interruption.
+/// The path of a compiled program. Its get() waits, and throws as built_program() does, and
+/// Interruption.
 using Build = std::shared_future<std::filesystem::path>;
 
-/// Waits for it, and says so where that takes long.
+/// Waits for a program, and reports that where it takes long.
 [[nodiscard]] std::filesystem::path built(const Build& build);
 
-/// Compiles what is ordered, while other things are done: as many programs at a time as the machine
-/// has processors, or one after the other where there are no threads to be had. At the end of its
-/// life those that are not begun are forgotten, and those that are begun come to their end; where
-/// its CacheDirectory is one for this time, the programs are gone then.
+/// Compiles programs in the background: as many at a time as the machine has processors, or one
+/// after the other where no threads can be started. The destructor forgets programs that are not
+/// begun, and finishes those that are. Programs in a temporary CacheDirectory are then removed.
 class Builds {
 public:
     /// Throws as CacheDirectory does.
@@ -38,10 +37,10 @@ public:
 
     [[nodiscard]] const Compiler& compiler() const { return compiler_; }
 
-    /// The same for the same text. Order all of them before the first is waited for.
+    /// Returns one build for equal texts. Order all programs before waiting for the first.
     [[nodiscard]] Build order(const ProgramText& text);
 
-    /// Where it is, if it was compiled before.
+    /// Returns the path if the program was compiled before.
     [[nodiscard]] std::optional<std::filesystem::path> kept(const ProgramText& text) const {
         return kept_program(cache_, compiler_, text);
     }
@@ -54,29 +53,29 @@ private:
     Compiler compiler_;
     CacheDirectory cache_;
     std::vector<std::pair<ProgramText, Build>> known_;
-    std::mutex mutex_;  ///< of the two below
+    std::mutex mutex_;  ///< for the two below
     std::deque<Task> waiting_;
     bool end_ = false;
     std::condition_variable changed_;
     std::vector<std::thread> workers_;  ///< last: they use the members above
 };
 
-/// A program that is compiled when it is first called for, or before.
+/// A program that is compiled when it is first needed, or before.
 class LateBuild {
 public:
-    /// Precondition: `builds` live longer.
+    /// Precondition: `builds` lives longer.
     LateBuild(Builds& builds, ProgramText text)
         : builds_(&builds), text_(std::move(text)), file_(builds_->kept(text_)) {}
 
-    /// Where it is, if it is compiled.
+    /// Returns the path if it is compiled.
     [[nodiscard]] const std::optional<std::filesystem::path>& file() const { return file_; }
 
-    /// Begins to compile it, while other things are done.
+    /// Begins to compile it in the background.
     void begin() {
         if (!file_ && !build_) build_ = builds_->order(text_);
     }
 
-    /// Waits until it is compiled, and says so. Throws what its Build does.
+    /// Waits until it is compiled, and reports that. Throws as its Build does.
     void compile() {
         begin();
         if (!file_) file_ = built(*build_);

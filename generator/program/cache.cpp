@@ -36,7 +36,8 @@ Files files_of(const ProgramText& text) {
     return files;
 }
 
-/// All that the program depends on. NOTE: the first line tells apart how entries are laid out.
+/// Returns all that the program depends on. NOTE: the first line is the version of the entries'
+/// layout.
 std::string key_of(const Compiler& compiler, const ProgramText& text, const Files& files) {
     const Machine machine = this_machine();
     std::string key = "program and key\n" + compiler.version + "\n" + machine.processor + "\n" +
@@ -55,14 +56,14 @@ std::string content(const fs::path& file) {
     return text.str();
 }
 
-/// Whether the user's own file or directory is there, and may be used.
+/// Whether a file or directory of this kind exists and belongs to the user.
 bool is_own(const fs::path& path, mode_t type) {
     struct stat found {};
     return ::lstat(path.c_str(), &found) == 0 && (found.st_mode & S_IFMT) == type &&
            found.st_uid == ::geteuid() && (found.st_mode & S_IXUSR) != 0;
 }
 
-/// A directory with a program, and what it was made of.
+/// A directory with a program and its key.
 class Entry {
 public:
     Entry(fs::path directory, std::string key)
@@ -75,7 +76,7 @@ public:
         return fs::exists(fs::symlink_status(directory_, ignored));
     }
 
-    /// Whether it is as it was made.
+    /// Whether the program is unchanged.
     [[nodiscard]] bool is_sound() const {
         std::error_code ignored;
         return is_own(directory_, S_IFDIR) && is_own(program(), S_IFREG) &&
@@ -83,14 +84,15 @@ public:
                content(directory_ / "key") == sealed(program());
     }
 
-    /// Makes it of a directory with a program. The directory is gone then, or has in it what was
-    /// here before.
+    /// Moves a directory with a program here. That directory is then gone, or has the former
+    /// contents.
     void take(const fs::path& made) const {
         write_file(made / "key", sealed(made / "program"));
         std::error_code error;
         fs::rename(made, directory_, error);
-        // NOTE: another hvi-gen may have been faster. Else what is here is damaged, and at no time
-        // may there be nothing: another hvi-gen may be about to start what a third one has mended.
+        // NOTE: another hvi-gen may have been faster. Otherwise the entry here is damaged. It must
+        // not be missing at any time: another hvi-gen may be about to start a program that a third
+        // one has repaired.
         if (!error || is_sound() ||
             ::renameat2(AT_FDCWD, made.c_str(), AT_FDCWD, directory_.c_str(), RENAME_EXCHANGE) == 0)
             return;
@@ -101,7 +103,7 @@ public:
     }
 
 private:
-    /// The key, with the digest of a program.
+    /// Returns the key with the digest of a program.
     [[nodiscard]] std::string sealed(const fs::path& program) const {
         const std::string text = content(program);
         return fmt::format("{}\nprogram of {} bytes: {}\n", key_, text.size(), digest(text));
@@ -111,7 +113,7 @@ private:
     std::string key_;
 };
 
-/// In the directory, without what it was made of.
+/// Makes the program in the directory, without its sources.
 void make_program(const Compiler& compiler, const fs::path& directory, const Files& files,
                   const ProgramText& text) {
     const FreshDirectory sources(directory, "of");

@@ -13,26 +13,26 @@
 
 namespace hvi::gen {
 
-/// A program or library as text. Besides its own headers it may include the runtime, <hvi/...>, and
-/// the drivers, <driver/...>.
+/// A program or library as text. It may include its own headers, the runtime, <hvi/...>, and the
+/// drivers, <driver/...>.
 struct ProgramText {
     std::string main;
     std::map<std::string, std::string> headers;  ///< by the names under which it includes them
-    std::vector<std::string> libraries = {};     ///< that it is linked with: `gsl`
+    std::vector<std::string> libraries = {};     ///< libraries to link: `gsl`
     Artifact artifact = Artifact::program;
 
     friend bool operator==(const ProgramText&, const ProgramText&) = default;
 };
 
-/// Where the compiled program is, in the directory. It is compiled where it is not there already,
-/// made of the same text by the same compiler for the same machine; also, with a warning, where it
-/// is no longer what was compiled, by its digest. A program appears there whole. Throws
+/// Returns the path of the compiled program in the cache. It is compiled unless the cache has it,
+/// made of an equal text by this compiler for this machine. It is compiled again, with a warning,
+/// where its digest shows that it has changed. A program appears in the cache whole. Throws
 /// EnvironmentError, also where the compiler fails, and Interruption. Several threads may call it,
 /// with different texts, and several processes.
 [[nodiscard]] std::filesystem::path
 built_program(const CacheDirectory& cache, const Compiler& compiler, const ProgramText& text);
 
-/// The same where it is compiled already.
+/// Returns the path of the program if it is compiled already.
 [[nodiscard]] std::optional<std::filesystem::path>
 kept_program(const CacheDirectory& cache, const Compiler& compiler, const ProgramText& text);
 

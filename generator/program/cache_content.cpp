@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* prefix_of_unfinished = "new-";
 
-/// Named as built_program() names them: by 16 hexadecimal digits.
+/// Whether the name is one of built_program(): 16 hexadecimal digits.
 bool is_program(const std::string& name) {
     return name.size() == 16 && name.find_first_not_of("0123456789abcdef") == std::string::npos;
 }
@@ -31,7 +31,8 @@ std::uintmax_t bytes_in(const fs::path& directory) {
     return sum;
 }
 
-/// NOTE: it is no program from the first moment on, also where this is ended half way.
+/// Removes a program. NOTE: renames it first, so that it is no program even if the removal is
+/// interrupted.
 void remove_program(const fs::path& directory) {
     const fs::path doomed =
         directory.parent_path() / (prefix_of_unfinished + directory.filename().string());

@@ -15,19 +15,19 @@ struct CacheContent {
         std::filesystem::file_time_type used;
     };
     std::vector<Program> programs;                  ///< the least recently used first
-    std::vector<std::filesystem::path> unfinished;  ///< being made, or left by what was killed
+    std::vector<std::filesystem::path> unfinished;  ///< being made, or left by a killed process
 
     [[nodiscard]] std::uintmax_t bytes() const;
 };
 
-/// Files that are none of ours are passed over.
+/// Returns the content. Files of others are passed over.
 [[nodiscard]] CacheContent content_of(const std::filesystem::path& cache);
 
-/// Says that a program is used now. Its directory has a file `key`, whose time it is.
+/// Marks a program as used now. Its directory has a file `key`, whose time is set.
 void mark_used(const std::filesystem::path& program_directory);
 
-/// Removes what is unfinished, and programs, the least recently used first, until those that are
-/// left have at most so many bytes. Precondition: no other process uses the directory.
+/// Removes unfinished programs, then the least recently used ones, until the rest has at most
+/// `most_bytes` bytes. Precondition: no other process uses the directory.
 void tidy(const std::filesystem::path& cache, std::uintmax_t most_bytes);
 
 }  // namespace hvi::gen

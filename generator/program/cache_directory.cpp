@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 constexpr const char* help_on_places =
     "XDG_CACHE_HOME may name a directory of yours, below which compiled programs are kept";
 
-/// Without links, as far as it exists.
+/// Resolves links, as far as the path exists.
 fs::path resolved(const fs::path& path) {
     std::error_code error;
     fs::path result = fs::weakly_canonical(fs::absolute(path), error);
@@ -55,7 +55,8 @@ fs::path usual_place() {
     return temporary_directory() / fmt::format("hvi-gen-{}", ::geteuid());
 }
 
-/// Earlier versions let others look into it, where nobody but the user could write.
+/// Closes the directory to readers. Earlier versions let others read it, but only the user could
+/// write.
 void close_to_readers(const fs::path& directory) {
     constexpr mode_t readable = 0755;
     struct stat found {};

@@ -1,4 +1,4 @@
-// Where compiled programs are kept.
+// The directory of compiled programs.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -11,23 +11,23 @@
 
 namespace hvi::gen {
 
-/// That programs may have which are kept.
+/// The most bytes of kept programs.
 constexpr std::uintmax_t most_bytes_of_cache = 256'000'000;
 
-/// hvi-gen/ in XDG_CACHE_HOME, else in .cache of HOME, else hvi-gen-UID/ in the directory for
-/// temporary files; made where it is missing. Where others could put programs there, which then
-/// would be run, it is a new directory among the temporary files in its place, removed at the end
-/// of its life; a warning says so.
+/// The directory hvi-gen/ in XDG_CACHE_HOME, else in .cache of HOME, else hvi-gen-UID/ in the
+/// directory for temporary files. It is made where it is missing. Where others could put programs
+/// there, which then would be run, a new directory among the temporary files takes its place. The
+/// destructor removes that one; a warning reports it.
 ///
-/// While it lives no other process removes anything there. Where none lives in another process it
-/// begins with tidying: what was left unfinished goes, and beyond so many bytes the least recently
-/// used programs.
+/// While the object lives no other process removes anything there. If no other process uses the
+/// directory, the constructor tidies it: it removes unfinished programs, and the least recently
+/// used ones beyond most_bytes_of_cache.
 class CacheDirectory {
 public:
-    /// Throws EnvironmentError where there is none to be had that is the user's alone.
+    /// Throws EnvironmentError where no directory can be had that only the user can write to.
     CacheDirectory();
 
-    /// Absolute, and without links.
+    /// Returns the path, absolute and without links.
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
     /// Removes all programs. Throws EnvironmentError where another process uses them.

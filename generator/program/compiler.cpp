@@ -24,7 +24,8 @@ std::string joined(const std::vector<std::string>& words) {
     return text;
 }
 
-/// `ccache g++` are two words, but the path of a file is one, also with blanks in it.
+/// Splits a command: `ccache g++` are two words, but the path of a file is one, also with blanks in
+/// it.
 std::vector<std::string> words_of(const std::string& command) {
     std::error_code ignored;
     if (std::filesystem::is_regular_file(command, ignored)) return {command};
@@ -32,7 +33,7 @@ std::vector<std::string> words_of(const std::string& command) {
     return {std::istream_iterator<std::string>(text), {}};
 }
 
-/// The first line that says `error`, else the first of all.
+/// Returns the first line that says `error`, else the first line.
 std::string first_error(const std::string& text) {
     std::istringstream lines(text);
     for (std::string line; std::getline(lines, line);)
@@ -47,7 +48,7 @@ Compiler find_compiler() {
     const std::string named = variable == nullptr ? "" : variable;
     Compiler compiler{words_of(named), {}};
     if (compiler.command.empty()) compiler.command.emplace_back("c++");
-    // It is called in a directory of its own.
+    // NOTE: the compiler is called in another directory.
     if (std::string& first = compiler.command.front(); first.find('/') != std::string::npos)
         first = std::filesystem::absolute(first).string();
 

@@ -13,18 +13,18 @@ struct Compiler {
     std::string version;               ///< the first line of what `--version` prints
 };
 
-/// Throws EnvironmentError where there is none.
+/// Finds the compiler. Throws EnvironmentError where there is none.
 [[nodiscard]] Compiler find_compiler();
 
 /// Kinds of files that the compiler makes.
 enum class Artifact { program, library };
 
-/// What is compiled with: as users do who care for speed.
+/// Returns options for fast programs.
 [[nodiscard]] std::vector<std::string> compiler_options(Artifact artifact);
 
-/// Makes of `main.cpp` in the directory, which may include what lies there, the file `program`
-/// beside it, linked with the libraries: a program, or a library that programs load. Throws
-/// EnvironmentError with the first error of the compiler, and where there is no such file then.
+/// Compiles `main.cpp` in the directory, which may include files there, to the file `program`
+/// beside it, and links the libraries: a program, or a library that programs load. Throws
+/// EnvironmentError with the first error of the compiler, and where the file is not made.
 void compile(const Compiler& compiler, const std::filesystem::path& directory,
              const std::vector<std::string>& libraries = {}, Artifact artifact = Artifact::program);
 

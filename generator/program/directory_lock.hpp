@@ -1,4 +1,4 @@
-// Who uses a directory at a time.
+// A lock on a directory.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -6,8 +6,8 @@
 
 namespace hvi::gen {
 
-/// Held by all who use a directory, or by one who has it alone; gone with the process, however that
-/// ends. Programs that are started do not hold it. Where the file system has no locks nobody ever
+/// A lock that all users of a directory share, or one holds alone. It ends with the process in any
+/// case. Programs that are started do not hold it. Where the file system has no locks nobody ever
 /// has the directory alone.
 class DirectoryLock {
 public:
@@ -17,9 +17,9 @@ public:
     DirectoryLock(const DirectoryLock&) = delete;
     DirectoryLock& operator=(const DirectoryLock&) = delete;
 
-    /// Whether nobody else uses it, nor does until share().
+    /// Whether nobody else uses the directory, nor does until share().
     [[nodiscard]] bool try_alone();
-    /// Waits for who has it alone.
+    /// Waits for a process that has the directory alone.
     void share();
 
 private:

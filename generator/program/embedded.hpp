@@ -1,4 +1,4 @@
-// What compiled programs include, which is part of hvi-gen.
+// Headers for compiled programs, which are part of hvi-gen.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -8,7 +8,7 @@
 
 namespace hvi::gen {
 
-/// The headers of src/hvi and src/driver, by their paths in src/.
+/// Returns the headers of src/hvi and src/driver, by their paths in src/.
 [[nodiscard]] std::span<const EmbeddedFile> embedded_headers();
 
 }  // namespace hvi::gen

@@ -11,7 +11,7 @@ namespace hvi::gen {
 
 namespace {
 
-/// The value behind the colon, where the line begins with the key.
+/// Reads the value behind the colon, where the line begins with the key.
 bool read_value(const std::string& line, std::string_view key, std::string& value) {
     const std::size_t colon = line.find(':');
     if (!line.starts_with(key) || colon == std::string::npos || !value.empty()) return false;

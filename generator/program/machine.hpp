@@ -1,4 +1,4 @@
-// The machine that this runs on, as far as run times depend on it.
+// The present machine, as far as run times depend on it.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -8,8 +8,8 @@ namespace hvi::gen {
 
 struct Machine {
     std::string processor;   ///< its model's name; empty where the system does not tell
-    std::string extensions;  ///< what it can do beyond its kind, for telling machines apart
-    int threads = 0;         ///< that it runs at once
+    std::string extensions;  ///< its special features, which distinguish machines
+    int threads = 0;         ///< threads at once
     std::string system;      ///< kernel and architecture: `Linux 6.1.0 x86_64`
 };
 

@@ -22,8 +22,8 @@ namespace fs = std::filesystem;
                            "compiled programs are kept below XDG_CACHE_HOME");
 }
 
-/// NOTE: in a namespace of users that of the system may have another number than 0. Whom `/`
-/// belongs to can put anything anywhere.
+/// Whether an owner is the user or the system. NOTE: in a user namespace the system may have
+/// another number than 0. The owner of `/` can put anything anywhere.
 bool is_trusted(uid_t owner) {
     struct stat root {};
     return owner == 0 || owner == ::geteuid() || (::stat("/", &root) == 0 && owner == root.st_uid);

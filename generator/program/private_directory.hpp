@@ -1,4 +1,4 @@
-// Directories that nobody but the user can put anything into.
+// Directories that only the user can write to.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -8,21 +8,21 @@
 
 namespace hvi::gen {
 
-/// Who else could put something in the place of what is in there, as words for a message: where the
-/// directory, or one above it, belongs to another user than the system's, or others may write to it
-/// and remove what is not theirs. What is not there, or no directory, is passed over. Precondition:
-/// the path is absolute, and no part of it is a link.
+/// Returns who else could replace the contents of a directory, as words for a message: a user other
+/// than the system owns it or one above it, or others may write to it and remove files of others.
+/// Missing paths, and those that are no directory, are passed over. Precondition: the path is
+/// absolute, and no part of it is a link.
 [[nodiscard]] std::optional<std::string> why_not_safe(const std::filesystem::path& directory);
 
-/// The same for a directory that is to be the user's alone: its own, no link, of mode 0700.
+/// Returns why a directory is not the user's alone: owned by the user, no link, of mode 0700.
 [[nodiscard]] std::optional<std::string> why_not_private(const std::filesystem::path& directory);
 
 /// Makes the directory, and those above it that are missing, for the user alone. Throws
 /// EnvironmentError.
 void make_private_directories(const std::filesystem::path& directory);
 
-/// A new directory that is the user's alone, of a name that nobody could guess. Removed, with what
-/// is in it, at the end of its life unless renamed.
+/// A new directory that only the user can use, with a name that nobody could guess. The destructor
+/// removes it, with its contents, unless it is renamed.
 class FreshDirectory {
 public:
     /// Named `NAME-` and six letters. Throws EnvironmentError.

@@ -17,7 +17,7 @@ struct FamilyEntry {
     long smallest;                 ///< the least S
     std::string_view sizes;        ///< the values of S, for people: `1..64`
     std::string_view description;  ///< one line
-    std::string_view paper;        ///< where the paper has it, or empty
+    std::string_view paper;        ///< the place in the paper, or empty
 };
 
 /// A method with a name of its own.
@@ -29,11 +29,11 @@ struct MethodEntry {
     std::string_view paper;
 };
 
-/// A name that other programs have for a method.
+/// Another program's name for a method.
 struct OtherName {
     std::string_view name;
-    std::string_view method;  ///< its name here; empty where no method is this one
-    std::string_view help;    ///< what to write in its place, where no method is this one
+    std::string_view method;  ///< the method's name here; empty where no method matches
+    std::string_view help;    ///< the advice where no method matches
 };
 
 /// A form of basis function or node that is written as a call: `roots(P(tau))`.
@@ -54,7 +54,7 @@ struct FormEntry {
 /// Names of methods in textbooks and in other programs.
 [[nodiscard]] std::span<const OtherName> other_names();
 
-/// The entry of that name, or null.
+/// Returns the entry with this name, or null.
 [[nodiscard]] const FamilyEntry* find_family(std::span<const FamilyEntry> families,
                                              std::string_view name);
 

@@ -1,4 +1,4 @@
-// Whether the words of a method stand where they may.
+// Checks that the words of a method stand where they may.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/read/check.hpp"
 
@@ -16,9 +16,9 @@ namespace hvi::gen {
 
 namespace {
 
-/// What an expression may contain at the place where it stands.
+/// Rules for an expression at its place in a method.
 struct ItemRules {
-    std::string_view subject;  ///< what messages call it: `a node`
+    std::string_view subject;  ///< the name in messages: `a node`
     bool tau = false;
     bool bspline = false;
     bool parameters = true;
@@ -56,7 +56,7 @@ void check_call(const std::string& function, const Place& place, const ItemRules
                          "it is a basis function");
 }
 
-/// The degree and the index of a B-spline are written out, and small.
+/// Checks that the degree and the index of a B-spline are small whole numbers, written out.
 void check_spline(const Expression& call, const std::shared_ptr<const Source>& source) {
     const auto check = [&](const Expression& argument, std::string_view meaning) {
         const bool whole = argument.kind == Expression::Kind::number && argument.denominator == "1";
@@ -86,7 +86,8 @@ bool is_roots(const Expression& expression) {
     return expression.kind == Expression::Kind::call && expression.name == "roots";
 }
 
-/// `subject` is "functions" or "nodes", `other` the families that do not belong here.
+/// Checks a family in a list of `subject`: "functions" or "nodes". `other` are the families of the
+/// other list.
 void check_family(const Family& family, const Place& place, std::string_view subject,
                   std::span<const FamilyEntry> families, std::span<const FamilyEntry> other) {
     const FamilyEntry* entry = find_family(families, family.name);
@@ -105,7 +106,8 @@ void check_family(const Family& family, const Place& place, std::string_view sub
                          fmt::format("`{}:S` exists for S = {}", entry->name, entry->sizes));
 }
 
-/// Bernstein's theorem: equal weights have real nodes for 1 to 7 and 9 points only.
+/// Refuses Chebyshev nodes that are not real. By Bernstein's theorem equal weights have real nodes
+/// for 1 to 7 and for 9 points only.
 void check_chebyshev(const Family& family, const Place& place) {
     if (family.name != "chebyshev" || family.size <= 7 || family.size == 9) return;
     throw MathError(fmt::format("the nodes of `chebyshev:{}` are not all real", family.size), place,

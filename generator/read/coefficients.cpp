@@ -164,7 +164,7 @@ private:
         return result;
     }
 
-    /// What counts of {"exact": ..., "decimal": ..., "double": ...}.
+    /// Returns the value that counts in {"exact": ..., "decimal": ..., "double": ...}.
     [[nodiscard]] const JsonValue& of_entry(const JsonValue& entry) const {
         check_keys(entry, entry_keys, "an entry");
         for (const std::string_view key : {"exact", "decimal"}) {
@@ -179,7 +179,7 @@ private:
     std::size_t stages_ = 0;
 };
 
-/// See Coefficient::rounded.
+/// Sets `Coefficient::rounded` by the rule that is given there.
 void mark_rounded(Coefficients& coefficients) {
     constexpr int surely = 15;
     constexpr int least = 6;

@@ -1,4 +1,4 @@
-// A tableau that someone else made: what its file says, in the file's own digits.
+// A tableau from another source: its coefficients in the digits of its file.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -16,20 +16,20 @@ namespace hvi::gen {
 struct Coefficient {
     Expression value;                      ///< exactly as it is written
     std::shared_ptr<const Source> source;  ///< the text that was read
-    /// Of a decimal that looks like a longer number's first digits. It does when it has 15
-    /// significant digits or more; when the file has decimals of 6 or more, so does one that has
-    /// about as many digits, or ends at about the same place, as the longest: at most two less.
-    /// Others, 0.5 and 0.0625, look exact.
+    /// The digits of a decimal that looks rounded; empty for one that looks exact, such as 0.5 and
+    /// 0.0625. A decimal with 15 significant digits or more looks rounded. Where the file has
+    /// decimals of 6 digits or more, one looks rounded too if it has as many digits as the longest
+    /// of them, or ends at the last place of the file, give or take two.
     std::optional<DecimalDigits> rounded;
 };
 
 using CoefficientVector = std::vector<Coefficient>;
 using CoefficientMatrix = std::vector<CoefficientVector>;  ///< rows
 
-/// A partitioned Runge-Kutta method by its coefficients, letters as in tableau.hpp: 1 to 64 stages,
-/// and all vectors and matrices of the size of c.
+/// A partitioned Runge-Kutta method given by its coefficients, with the letters of tableau.hpp. It
+/// has 1 to 64 stages, and all vectors and matrices have the size of c.
 struct Coefficients {
-    std::string name;    ///< as the file has it, or empty
+    std::string name;    ///< the key `name`, or empty
     std::string origin;  ///< `--tableau FILE.json`; one line of ASCII
     CoefficientVector c, b;
     CoefficientMatrix A;
@@ -40,19 +40,19 @@ struct Coefficients {
     [[nodiscard]] std::size_t stages() const { return c.size(); }
 };
 
-/// The tableau in a file of at most 32 MiB: the schema `hvi-tableau/1` of `hvi-gen tableau`, of
-/// which only what is above is looked at, or any object with `A`, `b`, `c`. A number is a number of
-/// JSON, a text, or an object with `exact` and `decimal`, of which `exact` counts unless it is
+/// Reads the tableau in a file of at most 32 MiB: the schema `hvi-tableau/1` of `hvi-gen tableau`,
+/// or any object with `A`, `b`, `c`. Other keys of the schema are ignored. A number is a JSON
+/// number, a text, or an object with `exact` and `decimal`, in which `exact` counts unless it is
 /// null. Throws InputError with the line of the file.
 [[nodiscard]] Coefficients coefficients_from_file(const std::filesystem::path& path);
 
-/// The same for the text of such a file; the source's name is that of the file.
+/// Reads the text of such a file; the source's name is the file's name.
 [[nodiscard]] Coefficients coefficients_from_json(const Source& file);
 
-/// The symbols that are parameters, with a value or without, sorted.
+/// Returns the symbols that are parameters, with a value or without, sorted.
 [[nodiscard]] std::vector<std::string> parameter_names(const Coefficients& coefficients);
 
-/// As for a method (see method.hpp).
+/// Gives a parameter its value as set_parameter() of a method does (see method.hpp).
 void set_parameter(Coefficients& coefficients, Parameter parameter);
 
 /// Calls `visit` for each coefficient.

@@ -39,13 +39,13 @@ std::ifstream opened(const ColumnFile& file) {
 
 // ---- CSV ----
 
-/// The lines that count, one after the other.
+/// The lines of a CSV file that count, one after the other.
 class CsvLines {
 public:
     explicit CsvLines(const ColumnFile& file)
         : file_(file), stream_(opened(file)), line_(longest + 1, '\0') {}
 
-    /// Goes to the next one; false where there is none.
+    /// Moves to the next line; false at the end of the file.
     [[nodiscard]] bool next() {
         while (stream_.getline(line_.data(), static_cast<std::streamsize>(line_.size()))) {
             ++number_;
@@ -60,7 +60,7 @@ public:
 
     [[nodiscard]] std::string_view text() const { return text_; }
 
-    /// With its number in its name.
+    /// Returns the line as a source with its number in the name.
     [[nodiscard]] std::shared_ptr<const Source> source() const {
         return std::make_shared<const Source>(
             Source{fmt::format("{}:{}", (file_.directory / file_.path).string(), number_),
@@ -77,7 +77,7 @@ private:
     std::size_t number_ = 0;
 };
 
-/// What stands between commas.
+/// Returns the ranges of the cells between commas.
 std::vector<Range> cells(std::string_view line) {
     std::vector<Range> result;
     std::size_t begin = 0;
@@ -101,7 +101,7 @@ std::size_t column_number(const ColumnFile& file, std::string_view head) {
     return static_cast<std::size_t>(found - names.begin());
 }
 
-/// NOTE: programs read the same, with the same function.
+/// NOTE: generated programs read these files with the same function.
 bool is_number(std::string_view line, Range cell) {
     double value = 0;
     const char* const last = line.data() + cell.end;
@@ -150,7 +150,7 @@ std::variant<ValueList, ValueFile> values_of_csv(const ColumnFile& file, std::si
 
 constexpr std::string_view npy_magic = "\x93NUMPY";
 
-/// The text behind a key of the dictionary that an NPY file begins with.
+/// Returns the text behind a key of the dictionary at the beginning of an NPY file.
 std::string_view behind_key(const ColumnFile& file, std::string_view head, std::string_view key) {
     const std::size_t at = head.find(key);
     if (at == std::string_view::npos) refuse(file, "this is no NPY file");
@@ -158,7 +158,7 @@ std::string_view behind_key(const ColumnFile& file, std::string_view head, std::
     return head.substr(std::min(head.find_first_not_of(": "), head.size()));
 }
 
-/// `(3, 4)`, or `(3,)`.
+/// Reads `(3, 4)`, or `(3,)`.
 std::vector<std::size_t> shape(const ColumnFile& file, std::string_view text) {
     std::vector<std::size_t> extents;
     for (std::size_t i = 1; i < text.size() && text[i] != ')'; ++i) {
@@ -201,8 +201,8 @@ constexpr NumberType number_types[]{{"'<f8'", 8, number<double>, is_finite<doubl
                                     {"'<i8'", 8, number<std::int64_t>, is_finite<std::int64_t>},
                                     {"'<i4'", 4, number<std::int32_t>, is_finite<std::int32_t>}};
 
-/// The dictionary, and how many bytes there are up to its end. Behind the magic there are two bytes
-/// of the version, and the length of the dictionary in two or four.
+/// Returns the dictionary, and the number of bytes up to its end. Behind the magic there are two
+/// bytes of the version, and the length of the dictionary in two or four.
 std::pair<std::string, std::size_t> dictionary(const ColumnFile& file, std::ifstream& stream) {
     constexpr std::size_t longest = 1024 * 1024;
     std::string begin(npy_magic.size() + 2 + 4, '\0');
@@ -268,7 +268,7 @@ std::variant<ValueList, ValueFile> values_of_npy(const ColumnFile& file, std::if
     return list;
 }
 
-/// Values of a column: read where they are at most so many, else left in the file.
+/// Reads the values of a column where they are at most `most`, else leaves them in the file.
 std::variant<ValueList, ValueFile> values_in(const ColumnFile& file, std::size_t most) {
     const Progress::Stage stage("reading files of numbers");
     if (file.path.find('\0') != std::string::npos)

@@ -1,4 +1,4 @@
-// Decimal numbers as the fractions that they are.
+// Decimal numbers as exact fractions.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/read/decimal.hpp"
 
@@ -24,7 +24,7 @@ bool only_digits(std::string_view text) {
     return !text.empty() && std::all_of(text.begin(), text.end(), is_digit);
 }
 
-/// The exponent after `e`, or one that is too large when it is.
+/// Returns the exponent after `e`; for one with too many digits, a number beyond the limit.
 long exponent_value(std::string_view text) {
     const bool negative = !text.empty() && text.front() == '-';
     long value = 0;
@@ -50,7 +50,7 @@ bool divide(std::string& digits, int divisor) {
     return true;
 }
 
-/// digits / 10^places in lowest terms: 10^places has no prime factors but 2 and 5.
+/// Returns digits / 10^places in lowest terms: 10^places has no prime factors but 2 and 5.
 Expression over_power_of_ten(std::string digits, std::size_t places) {
     if (digits == "0") return Expression::integer(0);
     std::string denominator = "1" + std::string(places, '0');

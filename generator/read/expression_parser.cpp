@@ -65,8 +65,8 @@ Expression ExpressionParser::product() {
     return located(Expression::product(std::move(factors)), begin);
 }
 
-/// Every way for an expression to stand inside another leads through here, so that the depth of the
-/// whole reader is counted in one place.
+/// Reads an operand with its signs. Every nested expression passes through here, so that the depth
+/// of the whole reader is counted in one place.
 Expression ExpressionParser::signed_operand() {
     if (nesting_ == deepest_nesting)
         fail(next().range, fmt::format("the text is nested deeper than {}", deepest_nesting));

@@ -12,7 +12,7 @@ namespace hvi::gen {
 
 class ExpressionParser : protected TokenReader {
 public:
-    /// `own`: functions of the user's own that it may call.
+    /// `own`: the user's own functions that the expression may call.
     explicit ExpressionParser(std::shared_ptr<const Source> source, Range part,
                               Indices indices = Indices::refused, OwnArguments own = {})
         : TokenReader(std::move(source), part, indices), own_(std::move(own)) {}
@@ -23,18 +23,18 @@ public:
 
 protected:
     [[nodiscard]] Expression sum();
-    /// What begins with this name, which is taken.
+    /// Reads an expression that begins with `name`, which is already taken.
     [[nodiscard]] virtual Expression name(const Token& name);
 
     [[nodiscard]] bool is_own(const std::string& function) const {
         return own_.count(function) != 0;
     }
 
-    /// Whether a message may offer a function that can stand in lists only.
+    /// Whether messages may offer a function that can stand in lists only.
     [[nodiscard]] virtual bool is_list() const { return false; }
 
 private:
-    /// A sum, or one side of a comparison.
+    /// Reads a sum, or one side of a comparison.
     [[nodiscard]] Expression side();
     [[nodiscard]] Expression product();
     [[nodiscard]] Expression signed_operand();

@@ -1,4 +1,4 @@
-// Hamiltonians by text.
+// Hamiltonians from text.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/read/hamiltonian.hpp"
 
@@ -22,7 +22,7 @@ namespace {
 constexpr const char* how_to_name =
     "name the variables: --coordinates \"x, y\" --momenta \"px, py\"";
 
-/// The names of one kind of variable.
+/// Declares the names of one kind of variable.
 void declare(Vocabulary& vocabulary, const NameList& list, std::string_view subject) {
     for (std::size_t k = 0; k < list.names.size(); ++k) {
         vocabulary.declare(list.names[k], subject);
@@ -33,7 +33,7 @@ void declare(Vocabulary& vocabulary, const NameList& list, std::string_view subj
     }
 }
 
-/// The same names, as if the whole text declared them.
+/// Places each name at the whole text, as if all of it declared the name.
 NameList placed(const std::vector<std::string>& names,
                 const std::shared_ptr<const Source>& source) {
     NameList list{{}, whole(source)};
@@ -41,7 +41,7 @@ NameList placed(const std::vector<std::string>& names,
     return list;
 }
 
-/// The k of `qk` and `pk`, as digits; empty for q and p themselves, nothing for other names.
+/// Returns the k of `qk` and `pk` as digits: empty for q and p themselves, nothing for other names.
 /// NOTE: q0 is none of q1, q2, ...: it often is a parameter, a position at rest.
 std::optional<std::string> number_of(const std::string& name) {
     if (name.empty() || (name.front() != 'q' && name.front() != 'p')) return {};
@@ -51,9 +51,9 @@ std::optional<std::string> number_of(const std::string& name) {
     return counts ? std::optional(digits) : std::nullopt;
 }
 
-/// The variables q, p or q1, q2, ..., p1, p2, ... as they occur: a pair for each index that one of
-/// the two has. NOTE: an index that is left out is no variable; a pair that does not occur in H is
-/// constant in time, and would only stand beside the others.
+/// Finds the variables q, p or q1, q2, ..., p1, p2, ...: a pair for each index that occurs in one
+/// of the two. NOTE: a gap in the indices adds no variable; a pair that does not occur in H would
+/// be constant in time.
 void find_variables(Hamiltonian& H) {
     const auto shorter_first = [](const std::string& left, const std::string& right) {
         return std::pair(left.size(), left) < std::pair(right.size(), right);
@@ -84,7 +84,7 @@ void find_variables(Hamiltonian& H) {
     }
 }
 
-/// Those that are called as variables: one name would have two meanings.
+/// Refuses sizes that have the name of a variable: one name would have two meanings.
 void refuse_sizes(const NameList& variables, const WholeNumbers& sizes) {
     for (const DeclaredName& variable : variables.names)
         if (sizes.count(variable.name) != 0)
@@ -93,7 +93,7 @@ void refuse_sizes(const NameList& variables, const WholeNumbers& sizes) {
                 variable.place, "take another name for one of them");
 }
 
-/// Where a symbol stands in a list.
+/// Returns the place of the first of these symbols in a list.
 std::optional<Place> find_symbol(const List& list, const std::vector<std::string>& names) {
     std::optional<Place> place;
     for (const Item& item : list.items) {
@@ -287,7 +287,7 @@ void check_together(const Method& method, const std::vector<std::string>& variab
     for (const List* list : lists)
         if (const auto place = find_symbol(*list, variables))
             throw InputError(
-                fmt::format("a parameter of the method is called as a variable of {}", owner),
+                fmt::format("a parameter of the method has the name of a variable of {}", owner),
                 place, "take another name for one of them");
 }
 

@@ -19,7 +19,7 @@ Expression IndexedParser::name(const Token& name) {
     return ExpressionParser::name(name);
 }
 
-/// An index, or a bound of one: where `mod` may stand.
+/// Reads an index, or a bound of one. `mod` may stand in these only.
 Expression IndexedParser::index() {
     ++indices_deep_;
     Expression written = sum();
@@ -38,7 +38,7 @@ Expression IndexedParser::modulo(const Token& name) {
     return located(Expression::call("mod", std::move(arguments)), name.range.begin);
 }
 
-/// The end of what is in brackets, behind which there are no others.
+/// Takes the `]` that ends the indices of a name. A second list of indices cannot follow.
 void IndexedParser::take_close_index() {
     take(Kind::close_index, "`]` is wanted here");
     if (next_is(Kind::open_index))
@@ -56,7 +56,7 @@ Expression IndexedParser::element(const Token& name) {
     return located(Expression::element(text(name.range), std::move(indices)), name.range.begin);
 }
 
-/// The i of `sum(i=`.
+/// Reads the i of `sum(i=`.
 std::string IndexedParser::index_name() {
     constexpr std::size_t most_indices = 16;
     const Token token = take(Kind::name, "the index of the sum is wanted here");
@@ -83,7 +83,7 @@ bool IndexedParser::is_next_index() const {
     return next_is(Kind::name) && next_is_followed_by(Kind::equals);
 }
 
-/// `i=1..3, ` and what follows: another index, or the term.
+/// Reads `i=1..3, ` and the rest of the sum: another index, or the term.
 Expression IndexedParser::one_sum(const Token& name) {
     std::string index_of_sum = index_name();
     take(Kind::equals, "`=` is wanted here");
@@ -111,7 +111,7 @@ std::vector<Name> IndexedParser::names() {
     return names;
 }
 
-/// `3`, or `1..3`.
+/// Reads `3`, or `1..3`.
 IndexBounds IndexedParser::bounds() {
     const std::size_t begin = next().range.begin;
     Expression first = index();
@@ -125,7 +125,7 @@ IndexBounds IndexedParser::bounds() {
     return {std::move(first), std::move(last), {begin, previous().range.end}};
 }
 
-/// `x`, `x[1]`, `x[1..3]`, or `u[1..3,1..4]`.
+/// Reads `x`, `x[1]`, `x[1..3]`, or `u[1..3,1..4]`.
 Name IndexedParser::one_name() {
     const Token token = take(Kind::name, "a name is wanted here");
     Name name{text(token.range), {}, token.range};
@@ -139,7 +139,7 @@ Name IndexedParser::one_name() {
     return name;
 }
 
-/// `x`, `x[i]`, or `u[i,j]`, where the indices are names.
+/// Reads `x`, `x[i]`, or `u[i,j]`, where the indices are names.
 RuleName IndexedParser::rule_name() {
     RuleName name{text(take(Kind::name, "a name is wanted here").range), {}};
     if (next_is(Kind::open_index)) {

@@ -35,8 +35,8 @@ private:
     [[nodiscard]] Name one_name();
     [[nodiscard]] IndexBounds bounds();
 
-    std::set<std::string> indices_of_sums_;  ///< of those around this place
-    int indices_deep_ = 0;                   ///< how many indices are around it
+    std::set<std::string> indices_of_sums_;  ///< indices of the sums around this place
+    int indices_deep_ = 0;                   ///< the number of indices around this place
 };
 
 }  // namespace hvi::gen

@@ -1,5 +1,5 @@
-// nlohmann/json decides what is JSON. Its events know no places, and its numbers are doubles; but
-// what it has accepted so far is easily found again in the text, which has both.
+// Reads JSON. nlohmann/json decides on its grammar. Its events have no places, and its numbers are
+// doubles; but the accepted words are easily found again in the text, which has both.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/read/json.hpp"
 
@@ -19,7 +19,8 @@ using Kind = JsonValue::Kind;
 
 constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
 
-/// Finds the words of a text in their order. Precondition: as much as is asked for is JSON.
+/// Finds the words of a text in their order. Precondition: the text is JSON as far as words are
+/// asked for.
 class Words {
 public:
     explicit Words(std::string_view text) : text_(text) {}
@@ -47,7 +48,7 @@ private:
     std::size_t end_ = 0;
 };
 
-/// What is wrong, without where nlohmann/json has it and without the name of its error.
+/// Returns the message of nlohmann/json without its position and without the name of its error.
 std::string wording(std::string_view message) {
     const std::size_t column = message.find(", column ");
     const std::size_t begin = message.find(column == std::string_view::npos ? "] " : ": ",
@@ -55,7 +56,7 @@ std::string wording(std::string_view message) {
     return std::string(message.substr(begin == std::string_view::npos ? 0 : begin + 2));
 }
 
-/// Takes the events of nlohmann/json, whose names for them these are, and builds the value.
+/// Builds the value from the events of nlohmann/json, which prescribes the names of the functions.
 class Builder {
 public:
     Builder(const JsonFile& file, std::string_view text) : file_(file), text_(text), words_(text) {}
@@ -121,7 +122,8 @@ private:
             throw InputError(fmt::format("the file is nested deeper than {}", JsonFile::most_depth),
                              file_.place(range));
         }
-        // NOTE: what is open stays where it is: it only gets longer when all in it is closed.
+        // NOTE: open values keep their addresses: a list grows only after all values in it are
+        // closed.
         open_.push_back(&place(kind, {}, range));
         return true;
     }

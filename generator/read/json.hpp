@@ -19,41 +19,42 @@ struct JsonValue {
 
     Kind kind = Kind::null;
     std::string text;                 ///< a text without quotes and escapes, a number as written
-    std::vector<JsonValue> items;     ///< of an array
-    std::vector<JsonMember> members;  ///< of an object, in the order of the file
+    std::vector<JsonValue> items;     ///< items of an array
+    std::vector<JsonMember> members;  ///< members of an object, in the order of the file
     Range range;
 
     [[nodiscard]] bool is(Kind other) const { return kind == other; }
-    /// The value of a member, or null.
+    /// Returns the value of a member, or null.
     [[nodiscard]] const JsonValue* find(std::string_view key) const;
 };
 
 /// A member of an object.
 struct JsonMember {
     std::string key;
-    Range range;  ///< of the key
+    Range range;  ///< the range of the key
     JsonValue value;
 };
 
-/// A file that is read, and can say where in it something stands.
+/// A JSON file that knows the place of each of its words.
 class JsonFile {
 public:
-    /// Deepest nesting, and most values of a file. NOTE: an entry of a tableau takes four values,
-    /// so that the five matrices of 64 stages that `tableau` writes take 82 thousand.
+    /// Limits of a file: its deepest nesting, and its number of values. NOTE: an entry of a tableau
+    /// takes four values, so that the five matrices of 64 stages that `tableau` writes take 82
+    /// thousand.
     static constexpr std::size_t most_depth = 32;
     static constexpr std::size_t most_values = 300'000;
 
-    /// Throws InputError with the line of the file for what is no JSON (RFC 8259) in UTF-8 without
-    /// a byte order mark, for two members of one name in an object, and beyond the limits.
+    /// Throws InputError with the line of the file for text that is no JSON (RFC 8259) in UTF-8
+    /// without a byte order mark, for two members of one name in an object, and beyond the limits.
     explicit JsonFile(Source file);
 
     [[nodiscard]] const JsonValue& root() const { return root_; }
     [[nodiscard]] const std::string& name() const { return file_.name; }
 
-    /// A place in the file, under the name `FILE:LINE`.
+    /// Returns a place in the file, under the name `FILE:LINE`.
     [[nodiscard]] Place place(Range range) const;
 
-    /// A text that stands at this place, under the same name.
+    /// Returns a text that stands at this place, under the name `FILE:LINE`.
     [[nodiscard]] std::shared_ptr<const Source> source(Range range, std::string text) const;
 
 private:

@@ -12,8 +12,8 @@ namespace hvi::gen {
 
 namespace {
 
-/// New names for the coordinates, none of which is taken: `before` and `after` the name without its
-/// index, and `_` after that as often as it needs.
+/// Makes new names for the coordinates: `before`, the name, `after`, then the index of the name.
+/// Adds `_` to all of them until none is taken.
 std::vector<std::string> new_names(const MechanicalFunction& function,
                                    const std::vector<std::string>& variables,
                                    std::string_view before, std::string_view after) {

@@ -1,4 +1,4 @@
-// What the user said as a Lagrangian: its expression, and which of its symbols are variables.
+// Lagrangians as the user gave them: an expression, and which of its symbols are variables.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -17,20 +17,20 @@ struct Lagrangian : MechanicalFunction {
     std::vector<std::string> velocities;  ///< velocities[i] belongs to coordinates[i]
 };
 
-/// L of these variables, which stands in `source`; `origin` is left empty. Throws InputError.
+/// Makes L(q, v) of an expression in `source`; `origin` is left empty. Throws InputError.
 [[nodiscard]] Lagrangian lagrangian_of(Expression expression, std::shared_ptr<const Source> source,
                                        const NameList& coordinates, const NameList& velocities);
 
-/// Coordinates, then velocities.
+/// Returns coordinates, then velocities.
 [[nodiscard]] std::vector<std::string> variables(const Lagrangian& lagrangian);
 
-/// The symbols of L that are parameters, with a value or without, sorted.
+/// Returns the symbols of L that are parameters, with a value or without, sorted.
 [[nodiscard]] std::vector<std::string> parameter_names(const Lagrangian& lagrangian);
 
-/// What its momenta are called: p_x of x, with `_` after it as often as other names need.
+/// Returns names for the momenta of L: p_x for x, with `_` after it as often as other names need.
 [[nodiscard]] std::vector<std::string> momentum_names(const Lagrangian& lagrangian);
 
-/// What the velocities of H are called: x_dot of x, likewise.
+/// Returns names for the velocities of H: x_dot for x, with `_` likewise.
 [[nodiscard]] std::vector<std::string> velocity_names(const Hamiltonian& hamiltonian);
 
 /// Whether the time `t` occurs in L.

@@ -13,7 +13,7 @@ namespace {
 
 bool is_word_char(char c) { return is_name_char(c) || c == '-'; }
 
-/// The first place from `from` on with another character.
+/// Returns the first position from `from` on whose character is not accepted.
 std::size_t behind(std::string_view text, std::size_t from, bool (*accepts)(char)) {
     while (from < text.size() && accepts(text[from])) ++from;
     return from;
@@ -49,7 +49,8 @@ Item ListParser::item() {
     return {std::move(expression), range};
 }
 
-/// A word with dashes is one only when a colon follows: `radau-left:2`, but `a-b` is a difference.
+/// Reads a family. A word with dashes names one only when a colon follows: `radau-left:2` does, but
+/// `a-b` is a difference.
 std::optional<Family> ListParser::family() {
     if (!next_is(Kind::name)) return {};
     const std::size_t begin = next().range.begin;

@@ -14,14 +14,14 @@ class ListParser final : private ExpressionParser {
 public:
     using ExpressionParser::ExpressionParser;
 
-    /// At least one.
+    /// Reads at least one item.
     [[nodiscard]] std::vector<Item> items();
 
 private:
     [[nodiscard]] bool is_list() const override { return true; }
     [[nodiscard]] Item item();
     [[nodiscard]] std::optional<Family> family();
-    /// The digits of a size.
+    /// Returns the digits of a size.
     [[nodiscard]] Range size_behind(std::size_t colon, const std::string& family) const;
 };
 

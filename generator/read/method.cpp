@@ -38,7 +38,7 @@ const MethodEntry* find_method(std::string_view name) {
     return found == methods.end() ? nullptr : &*found;
 }
 
-/// The name here of a method that is named as elsewhere; empty where there is none.
+/// Returns our name of a method that is named as in other programs; empty where there is none.
 std::string_view known_elsewhere(std::string_view name) {
     for (const OtherName& other : other_names())
         if (other.name == name) return other.method;
@@ -56,7 +56,7 @@ std::string_view known_elsewhere(std::string_view name) {
                      did_you_mean(name, method_names(), "`hvi-gen list methods` shows them all"));
 }
 
-/// A family of nodes with its interpolating polynomials.
+/// Makes a family of nodes with its interpolating polynomials.
 Method family_method(const std::shared_ptr<const Source>& source) {
     Family nodes = parse_family(source);
     if (find_method(nodes.name) != nullptr)
@@ -85,7 +85,8 @@ Method single_method(const MethodEntry& entry) {
     return method;
 }
 
-/// Free of blanks within items and of whatever the shell or a comment in C++ would act on.
+/// Returns a text without blanks inside items and without characters that the shell or a comment in
+/// C++ would act on.
 std::string canonical_text(const List& list) {
     std::string text;
     for (const Item& item : list.items) {

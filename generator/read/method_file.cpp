@@ -17,8 +17,8 @@ namespace hvi::gen {
 
 namespace {
 
-/// An array of texts, joined to one list. Each is read alone first, so that an error speaks of its
-/// own line, and no parenthesis spans two of them.
+/// Joins an array of texts to one list. Each text is read alone first, so that an error speaks of
+/// its own line, and no parenthesis spans two of them.
 List joined_list(const TomlFile& file, const toml::array& array) {
     if (array.empty()) throw InputError("the list is empty", file.place(array));
     if (array.size() > static_cast<std::size_t>(largest_size))

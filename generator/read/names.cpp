@@ -39,7 +39,7 @@ bool is_name(const std::string& text) {
            std::all_of(text.begin(), text.end(), is_name_char);
 }
 
-/// Whether it is written as the reader writes a whole number of at most 7 digits.
+/// Whether the text is a whole number of at most 7 digits, as the reader writes it.
 bool is_whole_number(std::string_view text) {
     if (text.substr(0, 1) == "-" && text != "-0") text.remove_prefix(1);
     const bool short_number =

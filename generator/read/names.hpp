@@ -1,4 +1,4 @@
-// Which names mean something of their own, and which are free for parameters.
+// Reserved names, and names that are free for parameters.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -12,34 +12,33 @@
 
 namespace hvi::gen {
 
-/// Whether the name is one of them.
+/// Whether `name` is one of `names`.
 [[nodiscard]] bool contains(const std::vector<std::string>& names, const std::string& name);
 
-/// Whether it is `pi` or `e`.
+/// Whether the name is `pi` or `e`.
 [[nodiscard]] bool is_constant(std::string_view name);
 
-/// Whether the name means something of its own, with an index or without: `pi`, `e`, `tau`, `t`,
-/// `h`, or a function.
+/// Whether the name is reserved, with an index or without: `pi`, `e`, `tau`, `t`, `h`, or a
+/// function.
 [[nodiscard]] bool is_reserved(std::string_view name);
 
-/// Whether whole numbers follow the name as its indices, as the reader writes it: `x[3]`,
-/// `u[1,-2]`.
+/// Whether the name has whole numbers as its indices, as the reader writes them: `x[3]`, `u[1,-2]`.
 [[nodiscard]] bool is_indexed_name(const std::string& name);
 
-/// The name without its index: `x` of `x[3]`.
+/// Returns the name without its index: `x` of `x[3]`.
 [[nodiscard]] std::string_view without_index(std::string_view name);
 
 /// Throws InputError at `place`, with a name to use instead, unless `name` is a letter followed by
-/// letters, digits and `_`, and is not reserved. `subject` is what it would name.
+/// letters, digits and `_`, and is not reserved. `subject` is the thing that it would name.
 void check_parameter_name(const std::string& name, const Place& place,
                           std::string_view subject = "a parameter");
 
-/// The same for a name that can have an index, a whole number: `x[3]`.
+/// Checks a name that can have an index, a whole number: `x[3]`. Throws as check_parameter_name().
 void check_symbol_name(const std::string& name, const Place& place,
                        std::string_view subject = "a parameter");
 
-/// Calls `visit` for the expression and everything in it. When `visit` returns false for an
-/// expression, what is inside it is left out.
+/// Calls `visit` for the expression and everything in it. Skips the inside of an expression for
+/// which `visit` returns false.
 void walk(const Expression& expression, const std::function<bool(const Expression&)>& visit);
 
 /// Adds the symbols in an expression that are parameters.

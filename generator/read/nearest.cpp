@@ -1,4 +1,4 @@
-// What a mistyped word may have meant.
+// Suggestions for a mistyped word.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/read/nearest.hpp"
 
@@ -9,15 +9,16 @@ namespace hvi::gen {
 
 namespace {
 
-constexpr std::size_t longest_word = 40;  ///< longer ones resemble no name of ours
+constexpr std::size_t longest_word = 40;  ///< longer words resemble none of our names
 
 bool same_letter(char left, char right) {
     const auto lower = [](char c) { return 'A' <= c && c <= 'Z' ? c - 'A' + 'a' : int{c}; };
     return lower(left) == lower(right);
 }
 
-/// Insertions, deletions, replacements, and exchanges of neighbours that lead from one word to the
-/// other; `row[j]` is the distance of the letters read so far from the first j letters of `right`.
+/// Returns the number of insertions, deletions, replacements, and exchanges of neighbours that lead
+/// from one word to the other. `row[j]` is the distance of the letters read so far from the first j
+/// letters of `right`.
 std::size_t distance(std::string_view left, std::string_view right) {
     std::vector<std::size_t> before_last;
     std::vector<std::size_t> last;

@@ -1,4 +1,4 @@
-// The error for scenes and steps that loops do not have.
+// The error for scenes and steps that are not supported with loops.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -6,7 +6,7 @@
 
 namespace hvi::gen {
 
-/// A refusal of something that sums have where they are written out, and loops do not.
+/// A refusal of something that is supported where sums are written out, but not with loops.
 class NoLoops : public InputError {
 public:
     explicit NoLoops(std::string what, std::optional<Place> place = {},

@@ -29,7 +29,7 @@ bool is_plain(char c) {
            std::string_view("_-+.").find(c) != std::string_view::npos;
 }
 
-/// Whether it names a file in the directory or below.
+/// Whether the path names a file in the scene's directory or below.
 bool is_path_below(std::string_view path) {
     for (;;) {
         const std::size_t slash = path.find('/');
@@ -42,7 +42,7 @@ bool is_path_below(std::string_view path) {
     }
 }
 
-/// `table.hpp` of a line `#include "table.hpp"`, else empty.
+/// Returns `table.hpp` of a line `#include "table.hpp"`, else an empty text.
 std::string_view included(std::string_view line) {
     const auto skip = [&](std::string_view what) {
         line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
@@ -54,7 +54,7 @@ std::string_view included(std::string_view line) {
     return line.substr(0, std::min(line.find('"'), line.size()));
 }
 
-/// The paths from the scene of what a header includes by name.
+/// Returns the paths, relative to the scene, of the files that a header includes by name.
 std::vector<std::string> included_by(const OwnHeader& header) {
     const fs::path directory = fs::path(header.path).parent_path();
     std::vector<std::string> paths;

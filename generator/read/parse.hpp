@@ -12,10 +12,10 @@
 
 namespace hvi::gen {
 
-/// A family with its size: `gauss:3`. Which names and sizes there are is decided by who uses it.
+/// A family with its size: `gauss:3`. The caller decides which names and sizes exist.
 struct Family {
     std::string name;
-    long size = 0;  ///< not negative; the largest long for one that is larger still
+    long size = 0;  ///< not negative; the largest long for a larger number
     Range range;
 };
 
@@ -46,11 +46,11 @@ struct List {
 /// than 64 KiB, and for one nested deeper than 200.
 [[nodiscard]] Expression parse_expression(std::shared_ptr<const Source> source);
 
-/// Reads one that is a part of a source. Precondition: `part` lies within the text.
+/// Reads an expression that is a part of a source. Precondition: `part` lies within the text.
 [[nodiscard]] Expression parse_expression(std::shared_ptr<const Source> source, Range part);
 
-/// An expression in which names can have indices and sums run over them, as it was written; see
-/// Expression::Kind. unrolled() makes an expression of it that is made of plain symbols.
+/// An expression as it was written, in which names can have indices and sums run over them; see
+/// Expression::Kind. unrolled() turns it into an expression of plain symbols.
 struct IndexedExpression {
     Expression written;
     std::shared_ptr<const Source> source;  ///< the ranges in `written` are ranges there
@@ -62,17 +62,17 @@ struct IndexedExpression {
 ///             | "sum" "(" name "=" index ".." index ("," name "=" index ".." index)* "," sum ")"
 ///     index   = a sum, in which an operand can be "mod" "(" index "," index ")" too
 ///
-/// `own`: functions of the user's own that it may call. Throws as `parse_expression` does.
+/// `own` are the user's own functions that it may call. Throws as `parse_expression` does.
 [[nodiscard]] IndexedExpression parse_indexed_expression(std::shared_ptr<const Source> source,
                                                          const OwnArguments& own = {});
 
-/// The first and the last value of an index; where one stands alone, it is both.
+/// The first and the last value of an index. A single value is both.
 struct IndexBounds {
     Expression first, last;
     Range range;
 };
 
-/// A name in a list of names, with what its indices can be; without an index, `bounds` is empty.
+/// A name in a list of names, with the bounds of its indices; without an index, `bounds` is empty.
 struct Name {
     std::string stem;
     std::vector<IndexBounds> bounds;
@@ -83,7 +83,7 @@ struct Name {
 /// InputError for any other text.
 [[nodiscard]] std::vector<Name> parse_names(std::shared_ptr<const Source> source);
 
-/// Reads such a list that is a part of a source. Precondition: `part` lies within the text.
+/// Reads a list of names that is a part of a source. Precondition: `part` lies within the text.
 [[nodiscard]] std::vector<Name> parse_names(std::shared_ptr<const Source> source, Range part);
 
 /// A name whose indices have names: `u[i,j]`.

@@ -11,21 +11,20 @@ namespace hvi::gen {
 
 namespace {
 
-/// As deep as expressions are nested at most: those of the reader have up to 6 levels for each of
-/// its 200.
+/// The deepest nesting of expressions: the reader's have up to 6 levels for each of its 200.
 constexpr std::size_t most_levels = 1200;
 
-/// What stands for a symbol or an element; nothing where it stays.
+/// Returns the expression in place of a symbol or an element; nothing where it stays.
 using Substitute = std::function<std::optional<Expression>(const Expression&)>;
 
-/// Puts expressions of other texts in places of one.
+/// Puts expressions of other texts in places of one expression.
 class PuttingIn {
 public:
-    /// `extent` is that of what is made by all that share it.
+    /// `extent` is the total of all expressions that share it.
     PuttingIn(const std::shared_ptr<const Source>& source, Substitute substitute, Extent& extent)
         : source_(source), substitute_(std::move(substitute)), extent_(extent) {}
 
-    /// NOTE: made by the functions that the reader uses, so that it is flat as what is read is.
+    /// NOTE: the reader's functions build the result, so that it is as flat as what they read.
     [[nodiscard]] Expression operator()(const Expression& expression) {
         const Level level(*this, expression.range);
         Expression result = expression;
@@ -42,7 +41,7 @@ public:
     }
 
 private:
-    /// While it lives, what is made stands in one thing more. `place`: in the text.
+    /// Counts a word, and one more level of nesting while it lives. `place` is in the text.
     class Level {
     public:
         Level(const PuttingIn& whole, Range place) : extent_(whole.extent_) {
@@ -71,17 +70,18 @@ private:
     }
 
     [[noreturn]] void refuse(const std::string& what, Range place) const {
-        throw InputError("with what its names stand for this " + what, Place{source_, place});
+        throw InputError("with its names replaced by their values this " + what,
+                         Place{source_, place});
     }
 
     const std::shared_ptr<const Source>& source_;
     Substitute substitute_;
-    std::set<std::string> indices_;  ///< of sums around a place, which hide what has their names
+    std::set<std::string> indices_;  ///< indices of the sums around a place
     Extent& extent_;
 };
 
-/// With other names for the indices of sums, that no text has: those of a definition are none of
-/// those around the place where it is put in.
+/// Renames the indices of sums in a definition to names that no text has. They then differ from the
+/// indices around the place where the definition is put in.
 Expression with_own_indices(const Expression& expression, const std::string& mark,
                             std::set<std::string>& of_sums) {
     Expression result = expression;
@@ -97,7 +97,7 @@ Expression with_own_indices(const Expression& expression, const std::string& mar
     return result;
 }
 
-/// The value of a definition for these indices.
+/// Returns the value of a definition for these indices.
 Expression value_at(const Definition& definition, const std::vector<Expression>& indices) {
     const auto index = [&](const Expression& part) -> std::optional<Expression> {
         if (part.kind != Expression::Kind::symbol) { return {}; }
@@ -182,7 +182,7 @@ private:
     std::vector<Parameter>& parameters_;
     std::map<std::string, std::size_t> numbers_;
     std::vector<State> states_;
-    Extent extent_;  ///< of all
+    Extent extent_;  ///< the extent of all values together
 };
 
 }  // namespace

@@ -24,7 +24,7 @@ constexpr std::array reduction_names = {ReductionName{"min", ReductionKind::leas
                                         ReductionName{"max", ReductionKind::largest},
                                         ReductionName{"mean", ReductionKind::mean}};
 
-/// Ranges between the commas that stand outside brackets.
+/// Returns the ranges between the commas that stand outside brackets.
 std::vector<Range> pieces(std::string_view text) {
     std::vector<Range> result;
     int depth = 0;
@@ -40,7 +40,7 @@ std::vector<Range> pieces(std::string_view text) {
     return result;
 }
 
-/// The function that a word names.
+/// Returns the function that a word names.
 const ReductionName& named(const std::string& word, const Place& place) {
     std::vector<std::string_view> names;
     for (const ReductionName& each : reduction_names) {

@@ -1,4 +1,4 @@
-// Numbers that a user wants of columns over a whole run: `min(x), mean(energy)`.
+// Reductions: numbers of a whole run that a user wants of columns, `min(x), mean(energy)`.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -19,9 +19,9 @@ struct Reduction {
     std::size_t column = 0;  ///< by its number
 };
 
-/// Reads a list of min, max and mean, each of columns as named_columns() reads them, of which each
-/// has a reduction of its own. Throws InputError as that does, for an unknown function and for a
-/// reduction that comes twice.
+/// Reads a list of min, max and mean of columns, which are named as named_columns() reads them.
+/// Each column has a reduction of its own. Throws InputError as named_columns() does, for an
+/// unknown function and for a reduction that comes twice.
 [[nodiscard]] std::vector<Reduction>
 named_reductions(const Given& list, const std::vector<NameBox>& all, const WholeNumbers& sizes);
 

@@ -66,8 +66,8 @@ std::vector<Expression> RotationReader::parts(const toml::table& table, std::str
     return result;
 }
 
-/// A piece of a value that is composed of several, as if all of it stood where the value stands.
-/// NOTE: an expression has one source, and pieces stand in texts of their own.
+/// Reads a piece of a value that has several, and places it at the whole value. NOTE: an expression
+/// has one source, and pieces stand in texts of their own.
 Expression RotationReader::part(const toml::node& node, const Place& whole) const {
     const auto move = [&](auto& self, Expression& moved) -> void {
         moved.range = whole.range;

@@ -8,9 +8,9 @@
 
 namespace hvi::gen {
 
-/// `"identity"`, `{axis = [0, 0, 1], angle = "pi/3"}`, `{quaternion = [1, 0, 0, 0]}`, in which
-/// functions of the user's own may occur. Throws InputError with its place for anything else, and
-/// for an axis or a quaternion of zeros.
+/// Reads `"identity"`, `{axis = [0, 0, 1], angle = "pi/3"}` or `{quaternion = [1, 0, 0, 0]}`, with
+/// calls of `own` functions. Throws InputError with its place for anything else, and for an axis or
+/// a quaternion of zeros.
 [[nodiscard]] RotationValue rotation_in(const toml::node& node, const TomlFile& file,
                                         const OwnArguments& own);
 

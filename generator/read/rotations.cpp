@@ -10,13 +10,13 @@ namespace hvi::gen {
 
 namespace {
 
-/// `R` with the index 1,2 is R[1,2], and `R[3]` is R[3,1,2].
+/// Adds an index to a name: `R` with 1,2 is R[1,2], and `R[3]` is R[3,1,2].
 std::string with_index(const std::string& name, const std::string& index) {
     return name.back() == ']' ? fmt::format("{},{}]", name.substr(0, name.size() - 1), index)
                               : fmt::format("{}[{}]", name, index);
 }
 
-/// NOTE: axes are often along a coordinate, and what is written of their zeros stands in headers.
+/// NOTE: axes often lie along a coordinate, and terms with their zeros would be written to headers.
 bool is_zero(const Expression& x) {
     return x.kind == Expression::Kind::number && x.numerator == "0";
 }
@@ -40,7 +40,7 @@ Expression sum_of_squares(const std::vector<Expression>& parts) {
     return sum_of(std::move(terms));
 }
 
-/// The entries of diagonal + a a^T + hat b.
+/// Returns the entries of diagonal + scale a a^T + hat b.
 std::vector<Expression> matrix(const Expression& diagonal, const std::vector<Expression>& a,
                                const Expression& scale, const std::vector<Expression>& b) {
     std::vector<Expression> entries;

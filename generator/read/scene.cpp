@@ -37,7 +37,7 @@ Scene embedded_scene(const EmbeddedFile& file) {
     return scene_from_toml({std::string(file.name), std::string(file.text)});
 }
 
-/// Null where no scene of this name comes with the program.
+/// Returns null where no scene of this name comes with the program.
 const EmbeddedFile* find_embedded(std::string_view name) {
     for (const EmbeddedFile& file : embedded_scenes())
         if (name_of(file) == name) return &file;
@@ -113,7 +113,7 @@ std::vector<SceneEntry> scenes() {
 
 namespace {
 
-/// Names without indices, as if the whole text declared each.
+/// Makes names without indices, as if the whole text declared each.
 NameTexts texts_of(const std::vector<std::string>& names, const Place& place) {
     NameTexts result{{}, place};
     for (const std::string& name : names) {
@@ -222,7 +222,7 @@ std::vector<std::string> parameter_names(const Scene& scene) {
     return names;
 }
 
-/// Variables; those with an index by the names of their families where `with_families`.
+/// Returns variables; those with an index by the names of their families where `with_families`.
 std::vector<std::string> variable_names(const Scene& scene, bool with_families) {
     std::vector<std::string> names;
     for (const NameTexts* texts :

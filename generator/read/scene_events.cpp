@@ -23,7 +23,7 @@ EventDirection SceneReader::direction(const toml::table& event) const {
                      "write \"up\", \"down\" or \"both\"");
 }
 
-/// The number of the event at which the run ends: `stop = 3`; true is 1, and 0 is none.
+/// Returns the number of the event that ends the run: `stop = 3`; true is 1, and 0 is none.
 long SceneReader::stop(const toml::table& event) const {
     const toml::node* node = event.get("stop");
     if (node == nullptr) return 0;

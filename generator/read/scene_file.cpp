@@ -1,4 +1,4 @@
-// Scene files: from TOML to a scene as it is written, with the place of every word.
+// Scene files: from TOML to a scene with the place of every word.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <fmt/format.h>
 
@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t most_invariants = 64;
 
-/// The name of a file without its folders and its ending, as plain as a name must be.
+/// Returns the name of a file without its folders and its ending, as plain as a name must be.
 std::string name_of_file(const std::string& path) {
     std::string name = std::filesystem::path(path).stem().string().substr(0, 64);
     std::replace_if(
@@ -41,7 +41,7 @@ const toml::node& SceneReader::required(std::string_view key, std::string_view e
                      fmt::format("add {}", example));
 }
 
-/// Null where there is none.
+/// Returns null where the file has no such section.
 const toml::table* SceneReader::section(std::string_view key, std::string_view example) const {
     const toml::node* node = file_.table().get(key);
     if (node == nullptr) return nullptr;
@@ -61,7 +61,7 @@ std::string SceneReader::description() const {
     return text->get();
 }
 
-/// The names in a text, or in those of an array.
+/// Reads the names in a text, or in the texts of an array.
 NameTexts SceneReader::names(std::string_view key, std::string_view example) const {
     const toml::node& node = required(key, fmt::format("a line such as {} = {}", key, example));
     NameTexts all{{}, file_.place(node)};
@@ -101,7 +101,7 @@ void SceneReader::check_absent(std::string_view key, std::string_view other, std
                      file_.place(entry->first.source()), std::string(help));
 }
 
-/// Whether there is one of H and L, with the variables of it.
+/// Throws InputError where the file mixes keys of a Hamiltonian with keys of a Lagrangian.
 void SceneReader::check_mechanics() const {
     if (file_.table().contains("lagrangian")) {
         check_absent("hamiltonian", "lagrangian", "stands beside",
@@ -151,7 +151,7 @@ void SceneReader::read_mechanics(Scene& scene) {
     scene.directory = directory();
 }
 
-/// `x`, or the indices in `"u[i,j]"`, which are names. NOTE: `x[1]` is one name.
+/// Reads `x`, or `"u[i,j]"` with its indices, which are names. NOTE: `x[1]` is one name.
 RuleName SceneReader::rule_name(const toml::key& key) const {
     const std::string name(key.str());
     const std::size_t bracket = name.find('[');
@@ -165,7 +165,7 @@ RuleName SceneReader::rule_name(const toml::key& key) const {
     return parse_rule_name(place.source, place.range);
 }
 
-/// Whether it is one, or one of several: `R`, `R[2]`.
+/// Whether the name is a rotation, or one of several: `R`, `R[2]`.
 bool SceneReader::is_of_rotation(std::string_view name) const {
     return contains(rotations_, std::string(without_index(name)));
 }
@@ -190,7 +190,7 @@ IndexedValue SceneReader::value(const TomlEntry& entry) const {
     return result;
 }
 
-/// `{file = "start.csv", column = "x"}`, with a path that is relative to that of the scene.
+/// Reads `{file = "start.csv", column = "x"}`. The path is relative to the scene's directory.
 ColumnFile SceneReader::column_file(const toml::table& table) const {
     file_.check_keys(table, "table of values", {"file", "column"});
     const auto text = [&](std::string_view key) -> std::optional<std::string> {
@@ -217,7 +217,7 @@ ValueList SceneReader::list(const toml::array& array) const {
     return list;
 }
 
-/// Those of a row, or of a matrix, whose rows are equally long.
+/// Appends the values of a row, or of a matrix, whose rows are equally long.
 void SceneReader::append(ValueList& list, const toml::array& array, std::size_t depth) const {
     const bool is_row = depth + 1 == list.extents.size();
     if (array.size() != list.extents[depth])
@@ -250,7 +250,7 @@ std::vector<IndexedValue> SceneReader::parameters() const {
     return list;
 }
 
-/// `V = {header = "potential.hpp", arguments = 1}`
+/// Reads `V = {header = "potential.hpp", arguments = 1}`.
 OwnFunction SceneReader::own_function(const TomlEntry& entry) const {
     const auto& [key, node] = entry;
     constexpr const char* help = "write V = {header = \"potential.hpp\", arguments = 1}";
@@ -324,8 +324,8 @@ std::vector<Definition> SceneReader::definitions() const {
     return list;
 }
 
-/// `"x*py - y*px"`, a vector, or `{value = "x*py - y*px", approximate = true}`. Of a vector each
-/// component is an invariant: J_1, J_2, ...
+/// Reads `"x*py - y*px"`, a vector, or `{value = "x*py - y*px", approximate = true}`. Each
+/// component of a vector is an invariant: J_1, J_2, ...
 void SceneReader::add_invariant(Scene& scene, const TomlEntry& entry) const {
     const toml::key& key = *entry.first;
     const toml::node& node = *entry.second;
@@ -405,7 +405,7 @@ IndexedRun SceneReader::run() const {
     return wishes;
 }
 
-/// Throws InputError for what a scene cannot say yet.
+/// Throws InputError for keys that are not supported yet.
 void SceneReader::refuse_to_come() const {
     for (const std::string_view key :
          {"split", "boundary", "guess", "ode", "state", "control", "cost", "end_cost"}) {

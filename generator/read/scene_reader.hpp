@@ -13,7 +13,7 @@
 
 namespace hvi::gen {
 
-/// Reads one file; its events and [time] are in scene_events.cpp, all else is in scene_file.cpp.
+/// Reads one file; its events and [time] are in scene_events.cpp, the rest is in scene_file.cpp.
 class SceneReader {
 public:
     explicit SceneReader(const Source& source) : source_(source), file_(source) {}

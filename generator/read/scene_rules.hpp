@@ -1,4 +1,4 @@
-// Meanings of words of a scene, and where they may stand.
+// Rules for the words of a scene: their meanings, and the expressions that they may stand in.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -14,7 +14,7 @@ namespace hvi::gen {
 
 /// Words that may stand in an expression besides parameters, pi and e.
 struct SceneRules {
-    std::string_view subject;  ///< what messages call it
+    std::string_view subject;  ///< the expression's name in messages
     bool variables = false;
     bool time = false;
     bool own_functions = false;
@@ -50,10 +50,10 @@ inline constexpr SceneRules step_rules{"the step size", false, false, false, mad
 inline constexpr SceneRules until_rules{"the time at the end", false, false, false,
                                         made_of_parameters};
 
-/// `a momentum`, or `a velocity`.
+/// Returns `a momentum`, or `a velocity`.
 [[nodiscard]] std::string_view subject_of_conjugates(const Scene& scene);
 
-/// The rules for H, or for L.
+/// Returns the rules for H, or for L.
 [[nodiscard]] const SceneRules& rules_of_function(Side side);
 
 /// Throws InputError at `place` where a rule for the values of a family has another number of
@@ -61,14 +61,15 @@ inline constexpr SceneRules until_rules{"the time at the end", false, false, fal
 void check_dimension(const std::string& family, std::size_t wanted, std::size_t given,
                      const Place& place, std::string help = "");
 
-/// Throws InputError for a definition that is called as a variable or a parameter.
+/// Throws InputError for a definition with the name of a variable or a parameter.
 void check_definition(const Definition& definition, const Vocabulary& names);
 
-/// Throws InputError for names of invariants and of [symmetries] that are none, or are taken.
+/// Throws InputError for an invalid name of an invariant or of [symmetries], and for one that is
+/// taken.
 void check_more_names(const Scene& scene, Vocabulary names);
 
 /// Throws InputError for a word that names nothing, or that the rules forbid. `known` are indices
-/// and sizes; what stands in indices is not looked at.
+/// and sizes; words in indices are not checked.
 void check_words(const IndexedExpression& expression, const SceneRules& rules,
                  const Vocabulary& names, std::set<std::string> known);
 

@@ -14,7 +14,7 @@ namespace hvi::gen {
 
 namespace {
 
-/// How many values each component of the indices has.
+/// Returns the number of values of each component of the indices.
 std::vector<std::size_t> extents(const std::vector<Index>& indices) {
     std::vector<std::size_t> result;
     for (std::size_t d = 0; d < indices.front().size(); ++d) {
@@ -50,7 +50,7 @@ std::vector<std::size_t> extents(const std::vector<Index>& indices) {
                      did_you_mean(name, names, fmt::format("the variables are {}", listed(names))));
 }
 
-/// The value of one variable.
+/// Sets the value of one variable.
 void SceneValues::put(const IndexedValue& value, const std::string& name,
                       const IndexedExpression& written, const WholeNumbers& indices) {
     const bool is_new =
@@ -85,7 +85,7 @@ void SceneValues::add_rule(const IndexedValue& value, const ValueRule& rule,
     }
 }
 
-/// The values that the indices of a rule have for one of the bodies.
+/// Returns the values that the indices of a rule have for one of the bodies.
 WholeNumbers indices_of_body(const IndexedValue& value, const RotationValue& rotation,
                              const std::string& name) {
     const Index index = index_of(name);
@@ -112,7 +112,7 @@ void SceneValues::add_rotation(const IndexedValue& value, const RotationValue& r
     if (!is_known) { refuse_variable(value.name, value.place); }
 }
 
-/// Whether it is the angular momentum of one of several bodies: `L[2]`.
+/// Whether the name is the angular momentum of one of several bodies: `L[2]`.
 bool SceneValues::is_momentum_of_body(const std::string& name) const {
     return is_indexed_name(name) &&
            std::any_of(variables_.rotations.begin(), variables_.rotations.end(),
@@ -132,7 +132,7 @@ void SceneValues::add_momentum_of_body(const IndexedValue& value) {
     }
 }
 
-/// The value of a variable, or those of x[1], x[2], ... by ascending index.
+/// Adds the value of a variable, or the values of x[1], x[2], ... by ascending index.
 void SceneValues::add(const IndexedValue& value) {
     if (const auto* rotation = std::get_if<RotationValue>(&value.value)) {
         add_rotation(value, *rotation);

@@ -16,18 +16,18 @@ struct SceneVariables {
     std::vector<RotationNames> rotations;  ///< whose entries are among them
 };
 
-/// Values that are given to variables: one by one, as lists, by a rule for all indices, as
-/// rotations.
+/// Values that are given to variables: singly, as lists, by a rule for all indices, as rotations.
 class SceneValues {
 public:
     SceneValues(SceneWords& words, const SceneVariables& variables, const SceneRules& rules)
         : words_(words), variables_(variables), rules_(rules) {}
 
-    /// Adds what a line of the section says, by ascending index. Throws InputError for what is no
-    /// variable, is given twice, or has another number of values than indices.
+    /// Adds the values of a line of the section, by ascending index. Throws InputError for a name
+    /// that is no variable, a value that is given twice, and a number of values that differs from
+    /// the number of indices.
     void add(const IndexedValue& value);
 
-    /// The values so far, by the names of variables.
+    /// Returns the values so far, by the names of variables.
     [[nodiscard]] const std::map<std::string, NamedExpression>& found() const { return found_; }
 
 private:
@@ -48,8 +48,8 @@ private:
     std::map<std::string, NamedExpression> found_;
 };
 
-/// A value for each variable: those of the coordinates, then of the others. Throws InputError where
-/// one is missing, and as add() does.
+/// Returns a value for each variable: for the coordinates, then for the others. Throws InputError
+/// where one is missing, and as SceneValues::add() does.
 [[nodiscard]] std::vector<NamedExpression> values(const ValueTable& table, SceneWords& words,
                                                   const SceneVariables& variables,
                                                   const SceneRules& rules);

@@ -15,9 +15,10 @@ namespace hvi::gen {
 namespace {
 
 constexpr std::size_t most_words_of_scene =
-    300'000;  ///< of all expressions, with their sums expanded
+    300'000;  ///< words in all expressions, with their sums expanded
 
-/// Throws InputError at the first of too many names. NOTE: a list is one, however long it is.
+/// Throws InputError at the first of too many names. NOTE: a list counts as one, however long it
+/// is.
 void check_count(const std::vector<IndexedValue>& parameters) {
     if (parameters.size() <= most_parameters) { return; }
     throw InputError(fmt::format("there are more than {} parameters", most_parameters),
@@ -77,7 +78,7 @@ NamedExpression SceneWords::expression(std::string name, const IndexedExpression
     return {std::move(name), std::move(read), whole(written.source)};
 }
 
-/// Throws InputError for an index that a name does not have, and for too many words of all.
+/// Throws InputError for an index that a name does not have, and for too many words in all.
 void SceneWords::check_indices(const Expression& expression,
                                const std::shared_ptr<const Source>& source) {
     walk(expression, [&](const Expression& part) {
@@ -96,7 +97,7 @@ void SceneWords::add_parameter(std::vector<Parameter>& list, const IndexedValue&
     list.push_back({std::move(name), unrolled(written, sizes_), value.place, written.source});
 }
 
-/// Values of a list, also where they stand in a file.
+/// Returns the values of a list, reading them where they stand in a file.
 ValueList SceneWords::values_of(const IndexedValue& value) const {
     const auto* file = std::get_if<ValueFile>(&value.value);
     if (file == nullptr) { return std::get<ValueList>(value.value); }

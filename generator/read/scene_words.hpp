@@ -13,7 +13,8 @@
 
 namespace hvi::gen {
 
-/// Names are declared one kind after the other: variables, parameters, definitions.
+/// The names of a scene. They are declared one kind after the other: variables, parameters,
+/// definitions.
 class SceneWords {
 public:
     explicit SceneWords(const Scene& written);
@@ -23,18 +24,19 @@ public:
 
     void declare_variables(const VariableNames& names);
 
-    /// Declares the names of variables without their indices, as in times no variable may stand.
+    /// Declares the stems of variables, so that an expression of a time that uses a variable is
+    /// refused.
     void declare_stems();
 
-    /// Declares parameters, and returns those that are no sizes, with the values of others put in.
-    /// Without `files` those whose values stand in files are left out.
+    /// Declares parameters. Returns those that are no sizes, with the values of others put in;
+    /// without `files`, also leaves out those whose values stand in files.
     [[nodiscard]] std::vector<Parameter> declare_parameters(bool files = true);
 
-    /// Adds the definitions, each with those above it put in.
+    /// Adds the definitions. Each may use those above it.
     void define();
 
-    /// The expression with `indices` and sizes for numbers, and definitions put in. Throws
-    /// InputError where the rules forbid a word, and for a scene of more than 300 000 words.
+    /// Returns the expression with numbers for `indices` and sizes, and with definitions put in.
+    /// Throws InputError where the rules forbid a word, and for a scene of more than 300 000 words.
     [[nodiscard]] NamedExpression expression(std::string name, const IndexedExpression& written,
                                              const SceneRules& rules,
                                              const WholeNumbers& indices = {});

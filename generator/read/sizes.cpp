@@ -94,7 +94,7 @@ NameSet structural_names(const Scene& scene) {
     return names;
 }
 
-/// Finds the values of some parameters, and of those that they are made of.
+/// Finds the values of some parameters, and of the parameters in these values.
 class Sizes {
 public:
     using Values = std::map<std::string, IndexedExpression>;
@@ -107,8 +107,8 @@ public:
     }
 
 private:
-    /// NOTE: what is no parameter, or is made of itself, stays unknown, and is refused where it
-    /// stands.
+    /// NOTE: a name that is no parameter, or whose value depends on itself, stays unknown, and is
+    /// refused where it stands.
     void find(const std::string& name) {
         const auto position = values_.find(name);
         if (position == values_.end() || !begun_.insert(name).second) { return; }

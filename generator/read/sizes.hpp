@@ -1,4 +1,4 @@
-// Structural parameters: those that indices and ranges are made of.
+// Structural parameters: those in indices and ranges.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -7,11 +7,11 @@
 
 namespace hvi::gen {
 
-/// The parameters of a scene that stand in an index or in a range, with those that their values are
-/// made of. Throws InputError where one of them is no whole number.
+/// Returns the parameters of a scene that stand in an index or in a range, with those that their
+/// values use. Throws InputError where one of them is no whole number.
 [[nodiscard]] WholeNumbers sizes(const Scene& scene);
 
-/// The same of an expression and of names, of which `values` are parameters.
+/// Returns the sizes in an expression and in names, with their values in `values`. Throws as above.
 [[nodiscard]] WholeNumbers sizes(const IndexedExpression& expression,
                                  const std::vector<NameTexts>& names,
                                  const std::vector<Parameter>& values);

@@ -28,7 +28,7 @@ std::size_t count(const NameBox& box) {
     return product;
 }
 
-/// All columns of a box.
+/// Returns all columns of a box.
 ColumnBox columns_of(const NameBox& names, std::size_t number) {
     ColumnBox columns{names, number, std::vector<std::size_t>(names.ranges.size(), 1)};
     for (std::size_t d = names.ranges.size(); d-- > 1;) {
@@ -37,7 +37,7 @@ ColumnBox columns_of(const NameBox& names, std::size_t number) {
     return columns;
 }
 
-/// Those of one box after the other.
+/// Returns the columns of one box after the other.
 std::vector<ColumnBox> columns_of(const std::vector<NameBox>& all) {
     std::vector<ColumnBox> columns;
     std::size_t number = 0;
@@ -48,7 +48,7 @@ std::vector<ColumnBox> columns_of(const std::vector<NameBox>& all) {
     return columns;
 }
 
-/// What a box and ranges of as many indices have in common, if anything.
+/// Returns the intersection of a box and ranges of as many indices; empty where there is none.
 std::optional<ColumnBox> common(ColumnBox box, const std::vector<IndexRange>& ranges) {
     for (std::size_t d = 0; d < ranges.size(); ++d) {
         IndexRange& range = box.names.ranges[d];
@@ -61,7 +61,7 @@ std::optional<ColumnBox> common(ColumnBox box, const std::vector<IndexRange>& ra
     return box;
 }
 
-/// `x`, `x[2]`, `u[1..3,2]`
+/// Returns `x`, `x[2]`, or `u[1..3,2]`.
 std::string in_words(const NameBox& box) {
     std::vector<std::string> indices;
     for (const auto& [first, last] : box.ranges) {
@@ -112,7 +112,7 @@ void ColumnReader::refuse_unknown(const Name& name) const {
                      did_you_mean(name.stem, stems, fmt::format("there are {}", listed(stems))));
 }
 
-/// All that have this name without its indices; at least one.
+/// Returns all boxes that have this name without its indices; at least one.
 std::vector<ColumnBox> ColumnReader::boxes_of(const Name& name) const {
     std::vector<ColumnBox> boxes;
     for (const ColumnBox& box : all_) {
@@ -122,7 +122,7 @@ std::vector<ColumnBox> ColumnReader::boxes_of(const Name& name) const {
     return boxes;
 }
 
-/// The ranges that a name speaks of.
+/// Returns the names that a name in the list stands for.
 NameBox ColumnReader::wanted(const Name& name, const std::vector<ColumnBox>& boxes) const {
     const Place place{list_, name.range};
     const std::size_t dimension = boxes.front().names.ranges.size();
@@ -152,7 +152,7 @@ void ColumnReader::check_new(const ColumnBox& box, const Place& place) const {
     }
 }
 
-/// Those of the boxes that a name with indices speaks of.
+/// Returns the parts of the boxes that a name with indices stands for.
 std::vector<ColumnBox> ColumnReader::parts_of(const std::vector<ColumnBox>& boxes,
                                               const Name& name) const {
     const NameBox names = wanted(name, boxes);
@@ -178,7 +178,8 @@ void ColumnReader::add(const Name& name) {
     chosen_.insert(chosen_.end(), found.begin(), found.end());
 }
 
-/// The first of those with one stem that are to be shown, of which `left` says how many more.
+/// Cuts a box down to its first `left` names along the last index, and reduces `left` by their
+/// number.
 ColumnBox beginning(ColumnBox box, std::size_t& left) {
     if (box.names.ranges.empty()) { return box; }
     for (std::size_t d = 0; d < box.names.ranges.size(); ++d) {
@@ -242,7 +243,7 @@ std::optional<std::size_t> columns_before(const std::vector<ColumnBox>& columns,
 
 namespace {
 
-/// That with this number, from 0 on.
+/// Returns the name with this number, from 0 on.
 std::string name_at(const NameBox& box, std::size_t number) {
     Index index(box.ranges.size());
     for (std::size_t d = index.size(); d-- > 0; number /= length(box.ranges[d])) {
@@ -251,7 +252,7 @@ std::string name_at(const NameBox& box, std::size_t number) {
     return indexed_name(box.stem, index);
 }
 
-/// The names of a box, at most so many.
+/// Appends the first names of a box, at most `most`.
 void append_names(std::vector<std::string>& names, const NameBox& box, std::size_t most) {
     for (std::size_t k = 0; k < std::min(count(box), most); ++k) {
         names.push_back(name_at(box, k));
@@ -287,8 +288,8 @@ namespace {
 
 using SeeColumn = std::function<void(const std::string&, std::size_t)>;
 
-/// Goes on with the index after those in `begun`, which is the number `number` with their first
-/// values.
+/// Visits the columns whose names begin with `begun`. `number` is the column's number at the first
+/// values of the remaining indices.
 void see_indices(const ColumnBox& box, const std::string& begun, std::size_t number,
                  const SeeColumn& see, std::size_t depth) {
     const auto& [first, last] = box.names.ranges[depth];

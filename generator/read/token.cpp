@@ -12,7 +12,7 @@ namespace hvi::gen {
 
 namespace {
 
-/// What to write instead of a character that people take for mathematics.
+/// The replacement for a character that people take for mathematics.
 struct Lookalike {
     std::string_view character;
     std::string_view help;
@@ -36,14 +36,14 @@ constexpr std::array<Lookalike, 15> lookalikes{{
     {"{", "only round parentheses group"},
 }};
 
-/// How the letters from alpha, U+03B1, on are spelled; those from U+0391 on begin with a capital.
+/// Names of the Greek letters from alpha, U+03B1, on. Those from U+0391 on begin with a capital.
 constexpr std::array<std::string_view, 25> greek_letters{
     "alpha", "beta",   "gamma",   "delta", "epsilon", "zeta",    "eta",   "theta", "iota",
     "kappa", "lambda", "mu",      "nu",    "xi",      "omicron", "pi",    "rho",   "sigma",
     "sigma", "tau",    "upsilon", "phi",   "chi",     "psi",     "omega",
 };
 
-/// The name of a Greek letter in UTF-8; empty for other characters.
+/// Returns the name of a Greek letter in UTF-8; empty for other characters.
 std::string greek_name(std::string_view character) {
     if (character.size() != 2) return "";
     const auto code = (static_cast<unsigned>(character[0]) & 0x1fU) << 6U |
@@ -56,7 +56,7 @@ std::string greek_name(std::string_view character) {
     return name;
 }
 
-/// Bytes of the UTF-8 character that `text` starts with; 1 when it is none.
+/// Returns the bytes of the UTF-8 character that `text` starts with; 1 when it is none.
 std::size_t character_length(std::string_view text) {
     const auto lead = static_cast<unsigned char>(text.front());
     const std::size_t length = lead < 0xc2   ? 1
@@ -72,7 +72,7 @@ std::size_t character_length(std::string_view text) {
     return valid ? length : 1;
 }
 
-/// The character as a message names it: by its looks, or by its bytes when it has none.
+/// Returns the character for messages: as it looks, or its bytes when it has no looks.
 std::string shown(std::string_view character) {
     const auto byte = static_cast<unsigned char>(character.front());
     if (character.size() > 1 || (0x20 < byte && byte < 0x7f)) return fmt::format("`{}`", character);
@@ -113,7 +113,8 @@ Token Lexer::next() {
     return token;
 }
 
-/// Digits, a point with digits on one side at least, and an exponent: `1`, `.5`, `1.`, `2e-3`.
+/// Reads digits, a point with digits on one side at least, and an exponent: `1`, `.5`, `1.`,
+/// `2e-3`.
 Token Lexer::number() {
     std::size_t end = position_;
     const auto skip_digits = [&] {

@@ -10,7 +10,7 @@
 
 namespace hvi::gen {
 
-/// A word of a mathematical text; `end` is what stands after the last one.
+/// A word of a mathematical text. The kind `end` follows the last word.
 struct Token {
     enum class Kind {
         number,
@@ -27,7 +27,7 @@ struct Token {
         less_or_equal,
         greater,
         greater_or_equal,
-        open_index,   ///< `[`, and what stands below, in texts with indices only
+        open_index,   ///< `[`, and the kinds below, in texts with indices only
         close_index,  ///< `]`
         equals,       ///< `=`
         to,           ///< `..`
@@ -39,12 +39,12 @@ struct Token {
 
     [[nodiscard]] bool is(Kind other) const { return kind == other; }
 
-    /// Whether an operand can start here that is not signed.
+    /// Whether an unsigned operand can start with this token.
     [[nodiscard]] bool starts_operand() const {
         return is(Kind::number) || is(Kind::name) || is(Kind::open);
     }
 
-    /// Whether it is `<`, `<=`, `>` or `>=`.
+    /// Whether the token is `<`, `<=`, `>` or `>=`.
     [[nodiscard]] bool compares() const {
         return Kind::less <= kind && kind <= Kind::greater_or_equal;
     }
@@ -59,7 +59,7 @@ public:
     /// Reads `part` of the source's text. Precondition: `part` lies within it.
     Lexer(std::shared_ptr<const Source> source, Range part, Indices indices);
 
-    /// The next token. Throws InputError at a character that no token starts with.
+    /// Returns the next token. Throws InputError at a character that no token starts with.
     [[nodiscard]] Token next();
 
     /// Goes on reading at this byte of the source.
@@ -67,7 +67,7 @@ public:
 
     [[nodiscard]] const std::shared_ptr<const Source>& source() const { return source_; }
 
-    /// The source's text up to the end of the part.
+    /// Returns the source's text up to the end of the part.
     [[nodiscard]] std::string_view text() const { return text_; }
 
     [[nodiscard]] std::string text(Range range) const {
@@ -93,7 +93,7 @@ private:
 [[nodiscard]] bool is_name_start(char c);  ///< a letter or `_`
 [[nodiscard]] bool is_name_char(char c);   ///< a letter, a digit or `_`
 
-/// The part of a text without the blanks around it; empty when it is all blank.
+/// Returns the part of a text without the blanks around it; empty when it is all blank.
 [[nodiscard]] Range trimmed(std::string_view text, Range range);
 
 }  // namespace hvi::gen

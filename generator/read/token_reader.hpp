@@ -11,7 +11,7 @@
 
 namespace hvi::gen {
 
-/// What readers of a grammar stand on.
+/// The base of readers of a grammar.
 class TokenReader {
 protected:
     using Kind = Token::Kind;
@@ -26,19 +26,20 @@ protected:
     [[nodiscard]] bool next_is_followed_by(Kind kind) const;
 
     Token take();
-    /// The next token, which is to be of this kind; `what` is said when it is not.
+    /// Takes the next token, which must be of this kind; otherwise the error says `what`.
     Token take(Kind kind, const char* what);
-    /// Precondition: what stands inside is read, so that only `)` or the end can follow.
+    /// Takes the `)` of `open`. Precondition: all inside is read, so that only `)` or the end can
+    /// follow.
     void take_close(const Token& open);
     /// Takes a token that stands elsewhere in the text, and goes on behind it.
     void take_elsewhere(const Token& token);
 
-    /// The source's text up to the end of the part.
+    /// Returns the source's text up to the end of the part.
     [[nodiscard]] std::string_view text() const { return lexer_.text(); }
     [[nodiscard]] std::string text(Range range) const { return lexer_.text(range); }
     [[nodiscard]] Place place(Range range) const { return {lexer_.source(), range}; }
 
-    /// The expression with the range from `begin` to the end of the token taken last.
+    /// Returns the expression with the range from `begin` to the end of the token taken last.
     [[nodiscard]] Expression located(Expression expression, std::size_t begin) const;
 
     [[noreturn]] void fail(Range range, std::string what, std::string help = {}) const;

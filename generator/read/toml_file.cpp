@@ -14,7 +14,7 @@ namespace hvi::gen {
 
 namespace {
 
-/// The byte at which a column of toml++ starts; it counts Unicode characters from 1.
+/// Returns the byte at which a column of toml++ starts; it counts Unicode characters from 1.
 std::size_t byte_of_column(std::string_view line, toml::source_index column) {
     const auto starts_character = [](char c) {
         return (static_cast<unsigned char>(c) & 0xc0U) != 0x80U;
@@ -25,8 +25,8 @@ std::size_t byte_of_column(std::string_view line, toml::source_index column) {
     return line.size();
 }
 
-/// What may be wrong with a line that is no TOML. NOTE: keys beside ASCII stand in quotes, and are
-/// no names even so.
+/// Returns a possible cure for a line that is no TOML. NOTE: keys beside ASCII need quotes in TOML,
+/// and are no names even so.
 std::string help_for_line(std::string_view line) {
     const std::size_t sign = line.find('=');
     if (sign == std::string_view::npos) return "";

@@ -1,4 +1,4 @@
-// TOML files, with the place of every word. toml++ reads the TOML; numbers are taken from the text
+// TOML files, with the place of every word. toml++ reads the TOML. Numbers are taken from the text
 // as they are written, since 0.1 as a double is not 1/10.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
@@ -16,39 +16,39 @@
 
 namespace hvi::gen {
 
-/// The text of a file of at most 1 MiB. Throws InputError as read_file does.
+/// Reads the text of a file of at most 1 MiB. Throws InputError as read_file does.
 [[nodiscard]] Source toml_source(const std::filesystem::path& path);
 
 using TomlEntry = std::pair<const toml::key*, const toml::node*>;
 
-/// Entries of a table, as they stand in the file. NOTE: toml++ sorts by key.
+/// Returns the entries of a table in the order of the file. NOTE: toml++ sorts by key.
 [[nodiscard]] std::vector<TomlEntry> in_order(const toml::table& table);
 
-/// A TOML text that can say where in it something stands.
+/// A TOML text that knows the place of each of its words.
 class TomlFile {
 public:
-    /// Throws InputError for what is no TOML. `file` must outlive it.
+    /// Throws InputError for text that is no TOML. `file` must outlive the TomlFile.
     explicit TomlFile(const Source& file);
 
     [[nodiscard]] const toml::table& table() const { return table_; }
     [[nodiscard]] Place place(const toml::source_region& region) const;
     [[nodiscard]] Place place(const toml::node& node) const { return place(node.source()); }
 
-    /// A text that stands in the file, under the name `FILE:LINE`, where LINE is its first one. It
-    /// keeps its line breaks when it is lines of the file as they stand there.
+    /// Returns a text that stands in the file, under the name `FILE:LINE`, where LINE is its first
+    /// line. The text keeps its line breaks when it is whole lines of the file, unchanged.
     [[nodiscard]] std::shared_ptr<const Source> source(const toml::node& node,
                                                        std::string text) const;
 
-    /// A string, or a number as it is written. Throws InputError for anything else.
+    /// Returns a string, or a number as it is written. Throws InputError for anything else.
     [[nodiscard]] std::string text(const toml::node& node) const;
 
-    /// Throws InputError, with what may have been meant, for a key of the table that is not known
-    /// in such a one; `what` is `method file`.
+    /// Throws InputError, with a suggestion, for a key of the table that is not in `known`. `what`
+    /// is the table's name in messages: `method file`.
     void check_keys(const toml::table& table, std::string_view what,
                     const std::vector<std::string_view>& known) const;
 
-    /// The key `name`, or an empty text. It goes into comments, class names and titles, so it stays
-    /// plain: throws InputError for other characters.
+    /// Returns the key `name`, or an empty text. Throws InputError for special characters: the name
+    /// goes into comments, class names and titles.
     [[nodiscard]] std::string name() const;
 
 private:

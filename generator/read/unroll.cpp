@@ -19,7 +19,7 @@ std::optional<long> in_range(long value) {
     return -largest_index <= value && value <= largest_index ? std::optional(value) : std::nullopt;
 }
 
-/// Of an expression made of whole numbers, known names, +, -, * and mod.
+/// Returns the value of an expression made of whole numbers, known names, +, -, * and mod.
 std::optional<long> whole_value(const Expression& expression, const WholeNumbers& known);
 
 std::optional<long> whole_mod(const Expression& call, const WholeNumbers& known) {
@@ -76,7 +76,7 @@ public:
     Unrolling(const std::shared_ptr<const Source>& source, WholeNumbers known)
         : source_(source), known_(std::move(known)) {}
 
-    /// NOTE: made by the functions that the reader uses, so that it is flat as what is read is.
+    /// NOTE: the reader's functions build the result, so that it is as flat as what they read.
     [[nodiscard]] Expression operator()(const Expression& written) {
         count(written);
         Expression result = value(written);
@@ -110,7 +110,7 @@ private:
         return result;
     }
 
-    /// Without sums that have no term.
+    /// Returns the summands without sums that have no term.
     [[nodiscard]] std::vector<Expression> summands(const std::vector<Expression>& written) {
         std::vector<Expression> result;
         for (const Expression& each : written) { append(result, each); }
@@ -209,7 +209,7 @@ IndexInterval interval(const IndexBounds& bounds, const std::shared_ptr<const So
 
 namespace {
 
-/// Of one name; throws where there are too many.
+/// Appends the names of one text's item; throws where there are too many.
 void append(std::vector<DeclaredName>& list, const Name& name,
             const std::shared_ptr<const Source>& source, const WholeNumbers& known) {
     const Place place{source, name.range};

@@ -45,7 +45,7 @@ private:
         return own;
     }
 
-    /// An addition for each term. NOTE: a term without sums has as many for every index.
+    /// Counts an addition for each term. NOTE: a term without sums counts equally for every index.
     [[nodiscard]] std::size_t of_sum(const Expression& sum) {
         const long first = whole_number(sum.arguments[0], source_, known_);
         const long last = whole_number(sum.arguments[1], source_, known_);

@@ -13,10 +13,10 @@ namespace hvi::gen {
 
 namespace {
 
-/// `3`, or `1,2`.
+/// Returns `3`, or `1,2`.
 std::string in_words(const Index& index) { return fmt::format("{}", fmt::join(index, ",")); }
 
-/// "from 1 to 6" for neighbours in ascending order, else all of them.
+/// Returns "from 1 to 6" for neighbours in ascending order, else all indices.
 std::string in_words(const std::vector<Index>& indices) {
     constexpr std::size_t most_written = 20;
     bool ascend = indices.size() > 2 && indices.front().size() == 1;

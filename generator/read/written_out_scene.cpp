@@ -1,4 +1,4 @@
-// From a scene as it is written to one without indices.
+// Writes a scene out, without indices.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/read/written_out_scene.hpp"
 
@@ -80,7 +80,8 @@ std::vector<NamedExpression> SceneUnrolling::invariants() {
     return list;
 }
 
-/// Throws InputError for what is not a function of the coordinates, moving one.
+/// Throws InputError where a component of a field does not belong to a coordinate, or is not a
+/// function of the coordinates.
 void SceneUnrolling::check_component(const NamedExpression& component, const Place& place) const {
     const auto coordinates = variables_.names.begin();
     const auto conjugates = coordinates + static_cast<std::ptrdiff_t>(variables_.names.size() / 2);
@@ -155,7 +156,7 @@ SceneEvent SceneUnrolling::event(const IndexedEvent& written) {
     return event;
 }
 
-/// Events where H has kinks, which stand in its text.
+/// Makes an event for each kink of H.
 std::vector<SceneEvent> SceneUnrolling::kinks(const WrittenOutScene& scene) const {
     std::vector<SceneEvent> list;
     if (!written_.kinks) { return list; }

@@ -13,7 +13,7 @@ namespace hvi::gen {
 
 namespace {
 
-constexpr std::size_t most_characters = 56;  ///< of a number in a line
+constexpr std::size_t most_characters = 56;  ///< characters of a number in a line
 
 std::string cut(const std::string& text, std::size_t columns) {
     return text.size() <= columns ? text : text.substr(0, columns - 3) + "...";
@@ -29,7 +29,8 @@ std::string method_text(const Rebuilt& rebuilt) {
            (rebuilt.A_tilde == Matrix::A ? ", with A and A~ exchanged" : ", with A~ in place of A");
 }
 
-/// A short closed form with its value, or the value to a digit more than the given number has.
+/// Returns a short closed form with its value, or the value to one digit more than the given
+/// number.
 std::string right_text(const WrongEntry& entry) {
     constexpr int least_digits = 6;
     constexpr int most_digits = static_cast<int>(most_characters) - 6;

@@ -1,4 +1,4 @@
-// What a method can do, for people and programs.
+// The properties of a method, for people and programs.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -11,22 +11,22 @@
 
 namespace hvi::gen {
 
-/// For a terminal of 80 columns. At its end is what the method keeps of what a scene conserves,
-/// where one is given.
+/// Writes for a terminal of 80 columns. Ends with the conserved quantities of a scene that the
+/// method keeps, where a scene is given.
 [[nodiscard]] std::string render_text(const Certificate& certificate,
                                       const std::optional<SceneStatements>& scene = {});
 
-/// The schema `hvi-check/1`, with members for what the method keeps of a scene.
+/// Writes the schema `hvi-check/1`, with members for the conserved quantities of a scene.
 [[nodiscard]] std::string render_json(const Certificate& certificate,
                                       const std::optional<SceneStatements>& scene = {});
 
-/// The same of the general form: what is asked of partitioned methods is null in JSON.
+/// Write the certificate of the general form: properties of partitioned methods are null in JSON.
 [[nodiscard]] std::string render_text(const RuleCertificate& certificate,
                                       const std::optional<SceneStatements>& scene = {});
 [[nodiscard]] std::string render_json(const RuleCertificate& certificate,
                                       const std::optional<SceneStatements>& scene = {});
 
-/// The same with what was found out about a tableau that someone else made: in JSON under `audit`.
+/// Write the audit of a tableau from another source; it is the member `audit` in JSON.
 [[nodiscard]] std::string render_text(const Audit& audit,
                                       const std::optional<SceneStatements>& scene = {});
 [[nodiscard]] std::string render_json(const Audit& audit,

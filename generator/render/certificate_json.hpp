@@ -12,7 +12,7 @@ namespace hvi::gen {
 
 [[nodiscard]] Json certificate_json(const Certificate& certificate);
 
-// What certificates of tableaux and of the general form share.
+// Common parts of the certificates of tableaux and of the general form.
 [[nodiscard]] Json failures_json(const OrderConditions& conditions);
 [[nodiscard]] Json error_constant_json(const OrderConditions& conditions);
 [[nodiscard]] Json exceptions_json(const std::vector<ExceptionalValue>& exceptions);

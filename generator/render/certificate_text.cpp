@@ -12,7 +12,7 @@ namespace hvi::gen {
 
 namespace {
 
-/// What is not proved, and why.
+/// Returns what is not proved, and why; empty for a proof.
 std::string evidence(bool proved, const Findings& findings) {
     if (proved) { return ""; }
     return findings.within_digits ? ", within digits" : ", by enclosures of 50 digits";
@@ -77,7 +77,7 @@ std::string explicit_text(const Certificate& certificate) {
     return certificate.coupled_separable.empty() ? "for H = T(p) + U(q)" : "no";
 }
 
-/// `Q_2, Q_3, P_1`, with the first and the last of many: `Q_1 .. Q_8, P_1 .. P_8`.
+/// Returns `Q_2, Q_3, P_1`, or of many the first and the last: `Q_1 .. Q_8, P_1 .. P_8`.
 std::string group_text(const std::vector<StageNode>& group) {
     std::string text;
     for (const StageNode::Kind kind : {StageNode::Kind::Q, StageNode::Kind::P}) {

@@ -11,7 +11,7 @@ namespace hvi::gen {
 
 namespace {
 
-/// In quotes where RFC 4180 wants them; nothing for what there is not.
+/// Quotes a text where RFC 4180 wants it; returns nothing for a missing text.
 std::string field(const std::optional<std::string>& text) {
     if (!text || text->find_first_of("\",\r\n") == std::string::npos) return text.value_or("");
     std::string quoted = "\"";

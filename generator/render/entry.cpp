@@ -1,4 +1,4 @@
-// What the formats share.
+// Common parts of the formats.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/render/entry.hpp"
 

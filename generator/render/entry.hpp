@@ -1,4 +1,5 @@
-// What the formats share: an entry of a tableau in its three forms, and the order of all entries.
+// Common parts of the formats: an entry of a tableau in its three forms, and the order of all
+// entries.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -12,39 +13,40 @@
 
 namespace hvi::gen {
 
-/// A number as output has it.
+/// A number in its output forms.
 struct Entry {
     std::optional<Expression> exact;     ///< empty when there is no closed form
     std::optional<std::string> decimal;  ///< empty with a free parameter
     std::optional<std::string> hex;      ///< the nearest double as `0x1.8p+0`; empty as `decimal`
 
-    /// The exact form in our notation.
+    /// Returns the exact form in our notation.
     [[nodiscard]] std::optional<std::string> exact_text() const;
 
-    /// The exact form, or else the decimal one.
+    /// Returns the exact form, or else the decimal one.
     [[nodiscard]] std::string best_text() const;
 };
 
-/// Precondition: digits >= 1.
+/// Makes an entry. Precondition: digits >= 1.
 [[nodiscard]] Entry make_entry(const Number& number, int digits);
 
 /// A vector or a matrix of a method under its name in output.
 struct Part {
     std::string_view name;
     bool is_vector;
-    NumberMatrix rows;  ///< of a vector, one number in each row
+    NumberMatrix rows;  ///< for a vector, one number in each row
 };
 
-/// All vectors and matrices: c, b, c_tilde, A, A_tilde, and Galerkin's M, M_inverse, B, A_psi.
+/// Returns all vectors and matrices: c, b, c_tilde, A, A_tilde, and Galerkin's M, M_inverse, B,
+/// A_psi.
 [[nodiscard]] std::vector<Part> parts(const Tableau& tableau);
 
-/// The same of the general form: c, b, B, Psi, A_psi and gram.
+/// Returns the parts of the general form: c, b, B, Psi, A_psi and gram.
 [[nodiscard]] std::vector<Part> parts(const GalerkinRule& rule);
 
-/// And of its Nystrom method: c, A_bar, b_bar and b.
+/// Returns the parts of its Nystrom method: c, A_bar, b_bar and b.
 [[nodiscard]] std::vector<Part> nystrom_parts(const GalerkinRule& rule);
 
-/// Both; what they share, once.
+/// Returns both, with shared parts once.
 [[nodiscard]] std::vector<Part> all_parts(const GalerkinRule& rule);
 
 /// Calls `visit(part, row, column, entry)` for every entry, rows and columns counted from 1.

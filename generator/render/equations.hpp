@@ -10,21 +10,22 @@
 
 namespace hvi::gen {
 
-/// For a terminal of 80 columns; q' is q at the end of the step.
+/// Write for a terminal of 80 columns; q' is q at the end of the step.
 [[nodiscard]] std::string render_text(const StepEquations& step);
 [[nodiscard]] std::string render_text(const LagrangianEquations& step);
 [[nodiscard]] std::string render_text(const LoopEquations& step);
 
-/// The schema `hvi-scheme/1`.
+/// Writes the schema `hvi-scheme/1`.
 [[nodiscard]] std::string render_json(const StepEquations& step);
 
-/// The schema `hvi-scheme-lagrangian/1`.
+/// Writes the schema `hvi-scheme-lagrangian/1`.
 [[nodiscard]] std::string render_json(const LagrangianEquations& step);
 
-/// The schema `hvi-scheme-loops/1`.
+/// Writes the schema `hvi-scheme-loops/1`.
 [[nodiscard]] std::string render_json(const LoopEquations& step);
 
-/// A displayed formula to paste, for amsmath: from q_n to q_{n+1} as in Section 6 of the paper.
+/// Write a displayed formula to paste, for amsmath: from q_n to q_{n+1} as in Section 6 of the
+/// paper.
 [[nodiscard]] std::string render_latex(const StepEquations& step);
 [[nodiscard]] std::string render_latex(const LagrangianEquations& step);
 [[nodiscard]] std::string render_latex(const LoopEquations& step);

@@ -22,7 +22,7 @@ Json matrix_json(const MapEquations& map) {
     return json;
 }
 
-/// `mark` stands behind the names on the left.
+/// Appends equations; `mark` stands behind the names on the left.
 void append(Json& json, const std::vector<Equation>& equations, std::string_view mark = "") {
     for (const Equation& equation : equations)
         json.push_back(equation.left + std::string(mark) + " = " + to_text(equation.right));
@@ -68,7 +68,7 @@ Json texts(const std::vector<DiscreteSeries::Coefficient>& coefficients) {
     return json;
 }
 
-/// NOTE: with a schema of its own, so that it can be kept apart from the step.
+/// NOTE: the series has a schema of its own, so that it can be kept apart from the step.
 Json series_json(const DiscreteSeries& series) {
     const auto power = [](const std::optional<int>& k) { return k ? Json(*k) : Json(nullptr); };
     return {{"schema", "hvi-series/1"},
@@ -85,7 +85,7 @@ Json values_json(const StepTitle& step) {
     return values;
 }
 
-/// Terms, and where they are: everywhere, or where each of these ranges has its index.
+/// Returns the terms, and their ranges: everywhere, or where each of these ranges has its index.
 Json slope_json(const ElementSlope& slope) {
     Json terms = Json::array();
     for (const LoopTermOfSlope& term : slope) {

@@ -11,9 +11,9 @@ namespace hvi::gen {
 
 namespace {
 
-constexpr std::size_t longest_line = 160;  ///< of source, roughly; then a term starts a new line
+constexpr std::size_t longest_line = 160;  ///< roughly; longer source lines are broken
 
-/// A variable at the beginning of the step, q_{n}, or at its end, q_{n+1}.
+/// Returns a variable at the beginning of the step, q_{n}, or at its end, q_{n+1}.
 std::string at(const std::string& variable, std::string_view time) {
     std::string text = to_latex(Expression::symbol(variable));
     const bool indexed = text.find("_{") != std::string::npos && text.back() == '}';
@@ -22,7 +22,7 @@ std::string at(const std::string& variable, std::string_view time) {
     return fmt::format("{},{}}}", text, time);
 }
 
-/// The same for all variables, as names for symbols.
+/// Returns these forms of all variables, as names for symbols.
 std::map<std::string, std::string> names_at(const std::vector<std::string>& variables,
                                             std::string_view time) {
     std::map<std::string, std::string> names;
@@ -30,7 +30,7 @@ std::map<std::string, std::string> names_at(const std::vector<std::string>& vari
     return names;
 }
 
-/// Terms of one sum, broken into lines where they get long.
+/// A sum whose terms are broken into lines where they get long.
 class Sum {
 public:
     void add(const Expression& coefficient, const std::string& variable) {
@@ -65,7 +65,7 @@ private:
     std::string text_;
 };
 
-/// In a line of its own.
+/// Appends a line.
 void append_line(std::string& lines, const std::string& line) {
     lines += (lines.empty() ? "" : ", \\\\\n") + line;
 }
@@ -96,7 +96,7 @@ std::string stages_latex(const StepEquations& step) {
     return lines;
 }
 
-/// With `now` for what has a value at the beginning of the step. They follow other lines, or none.
+/// Appends the equations to `lines`. `now` are names of the values at the beginning of the step.
 std::string galerkin_latex(const GalerkinEquations& equations,
                            const std::map<std::string, std::string>& now, std::string lines = "") {
     const auto append = [&](const std::string& left, const Expression& right) {
@@ -117,13 +117,13 @@ std::string at_nodes_latex(const StepEquations& step) {
     return galerkin_latex(*step.at_nodes, now);
 }
 
-/// What a quadratic H has, or any other for a tableau or for the general form.
+/// Returns the map of a quadratic H, else the equations for a tableau or for the general form.
 std::string step_latex(const StepEquations& step) {
     if (step.map) return map_latex(step);
     return step.stages ? stages_latex(step) : at_nodes_latex(step);
 }
 
-/// H_d^+(q_n, p_{n+1}), term by term.
+/// Writes H_d^+(q_n, p_{n+1}), term by term.
 std::string function_latex(const std::string& left, const Expression& function,
                            const StepEquations& step) {
     std::map<std::string, std::string> names = names_at(step.coordinates, "n");
@@ -138,7 +138,8 @@ std::string function_latex(const std::string& left, const Expression& function,
     return fmt::format("{} &= {}", left, sum.text());
 }
 
-/// Coefficients of powers of h: [h^2] of a function. What is too long is left out.
+/// Appends the coefficients of powers of h: [h^2] of a function. Coefficients that are too long are
+/// left out.
 void append_series(std::string& lines, const StepEquations& step) {
     const DiscreteSeries& series = *step.series;
     const auto append = [&](int power, std::string_view of,
@@ -159,7 +160,7 @@ void append_series(std::string& lines, const StepEquations& step) {
                series.difference);
 }
 
-/// `\\frac{\\partial H}{\\partial x_{k}}`, by the name of the derivative.
+/// Returns `\\frac{\\partial H}{\\partial x_{k}}`, by the name of the derivative.
 std::map<std::string, std::string> slopes_latex(const LoopEquations& step) {
     std::map<std::string, std::string> result;
     for (const auto* families : {&step.coordinates, &step.momenta})
@@ -169,7 +170,7 @@ std::map<std::string, std::string> slopes_latex(const LoopEquations& step) {
     return result;
 }
 
-/// With derivatives at values of a stage as symbols in LaTeX.
+/// Replaces derivatives at values of a stage by symbols in LaTeX.
 Expression with_slopes(Expression expression, const std::map<std::string, std::string>& slopes) {
     const auto found = slopes.find(expression.name);
     if (found != slopes.end()) {
@@ -183,7 +184,7 @@ Expression with_slopes(Expression expression, const std::map<std::string, std::s
     return expression;
 }
 
-/// `1 \le k \le N`, or `k = 1`.
+/// Returns `1 \le k \le N`, or `k = 1`.
 std::string range_latex(const Loop& range) {
     const auto& [first, last] = range.range;
     const std::string index = to_latex(Expression::symbol(range.index));
@@ -192,7 +193,7 @@ std::string range_latex(const Loop& range) {
     return fmt::format("{} \\le {} \\le {}", begin, index, to_latex(as_expression(last)));
 }
 
-/// The terms of a derivative; where one is not everywhere, it says so.
+/// Returns the terms of a derivative, each with its ranges unless it is everywhere.
 std::string slope_latex(const ElementSlope& slope) {
     std::string text;
     for (const PlacedTerm& term : placed_terms(slope, true)) {

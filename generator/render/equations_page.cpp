@@ -10,8 +10,8 @@ namespace hvi::gen {
 
 namespace {
 
-/// How much stands before the terms that the step size multiplies, in `q+h*(...)`; 0 where it is no
-/// such sum.
+/// Returns the length of the text before the terms that the step size multiplies, in `q+h*(...)`; 0
+/// for other expressions.
 std::size_t length_before_slopes(const Expression& right) {
     if (right.kind != Expression::Kind::sum || right.arguments.size() != 2) return 0;
     const Expression& last = right.arguments.back();

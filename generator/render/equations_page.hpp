@@ -1,4 +1,4 @@
-// The page on which the equations of a step stand, in a terminal of 80 columns.
+// A page of equations of a step, for a terminal of 80 columns.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -10,7 +10,7 @@
 
 namespace hvi::gen {
 
-/// Lines of a name and what is said of it, and equations.
+/// Lines of names and facts, and equations.
 class EquationsPage {
 public:
     static constexpr std::string_view inexact =
@@ -19,10 +19,10 @@ public:
     void line(const std::string& head, const std::string& text);
     void fact(std::string_view name, const std::string& text);
     void names(std::string_view name, const std::vector<std::string>& list);
-    /// A line of its own, as it is.
+    /// Adds a line as it is.
     void remark(std::string_view text) { text_ += text; }
-    /// A long one is broken between the terms that the step size multiplies, or has a line for each
-    /// of its terms.
+    /// Adds an equation. A long one is broken between the terms that the step size multiplies, or
+    /// has a line for each of its terms.
     void equation(const std::string& left, const Expression& right);
     void title(const StepTitle& step) { line("", step.name.empty() ? step.origin : step.name); }
     void parameters(const StepTitle& step);

@@ -12,7 +12,7 @@ namespace hvi::gen {
 
 namespace {
 
-/// The new value of a variable: a row of the map, without what is zero.
+/// Returns the new value of a variable: a row of the map, without zeros.
 Expression new_value(const MapEquations& map, std::size_t row,
                      const std::vector<std::string>& names) {
     const Expression zero = Expression::integer(0), one = Expression::integer(1);
@@ -27,14 +27,14 @@ Expression new_value(const MapEquations& map, std::size_t row,
     return Expression::sum(std::move(terms));
 }
 
-/// Momenta with a prime.
+/// Returns the momenta with a prime.
 std::map<std::string, std::string> names_at_the_end(const StepEquations& step) {
     std::map<std::string, std::string> names;
     for (const std::string& name : step.momenta) names[name] = name + "'";
     return names;
 }
 
-/// q*p', and a sum of that over all degrees of freedom.
+/// Returns q*p', or its sum over all degrees of freedom.
 std::string identity(const StepEquations& step) {
     std::vector<std::string> products;
     for (std::size_t i = 0; i < step.momenta.size(); ++i)
@@ -57,7 +57,7 @@ void write_map(EquationsPage& page, const StepEquations& step) {
         page.equation(names[i] + "'", new_value(*step.map, i, names));
 }
 
-/// What does not fit into a line begins a new one at the equals sign.
+/// Writes an equation; one that does not fit into a line is broken at the equals sign.
 void write_implicit(EquationsPage& page, const ImplicitEquation& equation) {
     const std::string left = to_text(equation.left);
     const std::size_t length = left.size() + to_text(equation.right).size();
@@ -125,7 +125,7 @@ void write_generating(EquationsPage& page, const StepEquations& step) {
                           found.is_at_least ? " at least" : ""));
 }
 
-/// [h^k] is the coefficient of h^k.
+/// Writes a term; [h^k] is the coefficient of h^k.
 void write_term(EquationsPage& page, const StepEquations& step, std::size_t k,
                 const DiscreteSeries::Coefficient& coefficient) {
     const std::string power = k == 1 ? "h" : fmt::format("h^{}", k);

@@ -10,7 +10,7 @@ namespace hvi::gen {
 
 using Json = nlohmann::ordered_json;
 
-/// {"exact": ..., "decimal": ..., "double": ...}, each of them text or null.
+/// Returns {"exact": ..., "decimal": ..., "double": ...}, each of them text or null.
 [[nodiscard]] Json entry_json(const Number& number, int digits);
 
 }  // namespace hvi::gen

@@ -10,7 +10,7 @@ namespace hvi::gen {
 
 namespace {
 
-/// `1.5e-20` as a product with a power of ten.
+/// Writes `1.5e-20` as a product with a power of ten.
 std::string decimal_latex(const std::string& decimal) {
     const std::size_t e = decimal.find('e');
     if (e == std::string::npos) return decimal;

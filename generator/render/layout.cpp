@@ -41,7 +41,7 @@ std::string in_columns(const std::vector<std::string>& cells) {
     return line;
 }
 
-/// Places where a line may be broken, the best first.
+/// Kinds of places where a line may be broken, the best first.
 enum class Break { outer_sign, sign, other, none };
 
 Break break_before(std::string_view text, std::size_t k, int depth) {
@@ -53,8 +53,8 @@ Break break_before(std::string_view text, std::size_t k, int depth) {
     return other ? Break::other : Break::none;
 }
 
-/// How much of `text` goes into a line of so many columns: up to the last of the best breaks in it,
-/// or else up to the first break after it.
+/// Returns the length of a line: up to the last of the best breaks within `columns`, or else up to
+/// the first break after them.
 std::size_t line_length(std::string_view text, std::size_t columns) {
     if (text.size() <= columns) return text.size();
     Break best = Break::none;

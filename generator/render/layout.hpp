@@ -32,18 +32,18 @@ struct Table {
     std::vector<std::string> last_row;
 };
 
-/// The lines of a table, without blanks at their ends.
+/// Returns the lines of a table, without blanks at their ends.
 [[nodiscard]] Lines table_lines(const Table& table);
 
-/// The longest line's length.
+/// Returns the length of the longest line.
 [[nodiscard]] std::size_t width(const Lines& lines);
 
-/// Two blocks side by side, with a gap.
+/// Puts two blocks side by side, with a gap.
 [[nodiscard]] Lines beside(const Lines& left, const Lines& right);
 
-/// `head` and then `text`, broken where it would pass the last column of the terminal: before a
-/// sign, or else at an operator or after a comma; later lines are indented by the head's length. A
-/// piece that cannot be broken makes its line longer.
+/// Breaks `head` and `text` into lines where they would pass the last column of the terminal:
+/// before a sign, or else at an operator or after a comma. Later lines are indented by the head's
+/// length. A piece that cannot be broken makes its line longer.
 [[nodiscard]] Lines wrapped(const std::string& head, const std::string& text);
 
 }  // namespace hvi::gen

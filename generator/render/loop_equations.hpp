@@ -1,4 +1,4 @@
-// Pieces that the formats of equations with indices have in common.
+// Common parts of the formats of equations with indices.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -15,22 +15,22 @@ struct NamedSlope {
     const ElementSlope& slope;
 };
 
-/// Derivatives that are not zero: by momenta, then by coordinates, as the equations of motion have
-/// them.
+/// Returns the derivatives that are not zero: by momenta, then by coordinates, in the order of the
+/// equations of motion.
 [[nodiscard]] std::vector<NamedSlope> named_slopes(const LoopEquations& step);
 
-/// A derivative's terms that are everywhere, and behind them the others; each of these is one, a
-/// sum in parentheses.
+/// A term of a derivative. The terms that are everywhere come first. A sum that is not everywhere
+/// is one term, in parentheses.
 struct PlacedTerm {
     std::string text;
     std::vector<Loop> where;
 };
 [[nodiscard]] std::vector<PlacedTerm> placed_terms(const ElementSlope& slope, bool in_latex);
 
-/// `x[1..N]`, for each family.
+/// Returns `x[1..N]`, for each family.
 [[nodiscard]] std::vector<std::string> texts(const std::vector<SystemFamily>& families);
 
-/// `k=2..N`, or `k=1`.
+/// Returns `k=2..N`, or `k=1`.
 [[nodiscard]] std::string to_text(const Loop& range);
 
 }  // namespace hvi::gen

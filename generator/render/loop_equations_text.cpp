@@ -11,7 +11,7 @@ namespace hvi::gen {
 
 namespace {
 
-/// Terms that are not everywhere begin a line, and end with where they are.
+/// Writes a derivative. Terms that are not everywhere begin a line, and end with their ranges.
 void write_slope(EquationsPage& page, const std::string& name, const ElementSlope& slope) {
     std::string head = " " + name + " = ";
     for (const PlacedTerm& term : placed_terms(slope, false)) {

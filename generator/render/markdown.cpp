@@ -9,7 +9,7 @@ namespace hvi::gen {
 
 namespace {
 
-/// Our notation has no bar, which alone would end a cell.
+/// NOTE: our notation has no bar, the only character that would end a cell.
 std::string code(const std::optional<std::string>& text) { return text ? "`" + *text + "`" : ""; }
 
 std::string code(const Number& number, int digits) {
@@ -22,7 +22,7 @@ std::string table_row(const std::string& head, const NumberVector& row, int digi
     return line + "\n";
 }
 
-/// c | A with b below, under these names.
+/// Returns the table c | A with b below, under these names.
 std::string butcher_table(std::string_view c_name, const NumberVector& c, std::string_view a_name,
                           std::string_view b_name, const NumberMatrix& A, const NumberVector& b,
                           int digits) {

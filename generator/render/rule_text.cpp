@@ -31,7 +31,7 @@ std::optional<std::string> fitting(const Table& table) {
     return text + "\n";
 }
 
-/// In tables, where the terminal has room for them.
+/// Returns tables, if the terminal has room for them.
 std::optional<std::string> as_tables(const GalerkinRule& rule, auto form) {
     const NystromTableau tableau = nystrom(rule);
     const std::vector<std::string> c = texts(rule.c, form), B = texts(rule.B, form);
@@ -56,7 +56,7 @@ std::string entry_by_entry(const GalerkinRule& rule, auto form) {
            vector_entries("b_bar", texts(tableau.b_bar, form));
 }
 
-/// All numbers in one form, exact or decimal.
+/// Returns all numbers in one form, exact or decimal.
 std::string shown(const GalerkinRule& rule, auto form) {
     const auto tables = as_tables(rule, form);
     return tables ? *tables : entry_by_entry(rule, form);

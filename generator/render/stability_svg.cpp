@@ -14,18 +14,18 @@ namespace hvi::gen {
 
 namespace {
 
-// All lengths in pixels. The plot's area:
+// Lengths in pixels. The plot's area:
 constexpr double plot_left = 70;
 constexpr double plot_right = 780;
 constexpr double plot_top = 92;
 constexpr double plot_bottom = 412;
 constexpr double picture_width = 800;
 constexpr double line_height = 18;
-constexpr std::size_t most_columns = 100;  // of the text below the plot
+constexpr std::size_t most_columns = 100;  // columns of the text below the plot
 /// Half the trace is drawn between these values and their negatives.
 constexpr double most = 2.5;
 
-/// From z and half the trace to pixels.
+/// Converts z and half the trace to pixels.
 class Axes {
 public:
     explicit Axes(long until) : until_(static_cast<double>(until)) {}
@@ -111,10 +111,11 @@ std::string grid(const Axes& axes) {
     return result;
 }
 
-/// Dashed, and above the plot where they are: in the first row with room, else in the last one.
+/// Draws poles as dashed lines, with labels above the plot: in the first row with room, else in the
+/// last.
 std::string poles(const Axes& axes, const LinearStability& stability) {
     constexpr double label_width = 80;
-    std::array<double, 3> taken{};  // the end of what stands in each row
+    std::array<double, 3> taken{};  // the end of the text in each row
     std::string result;
     for (const Number& pole : stability.poles) {
         const double x = axes.x(pole.nearest_double());
@@ -128,7 +129,8 @@ std::string poles(const Axes& axes, const LinearStability& stability) {
     return result;
 }
 
-/// Every pixel, all special points, and closer and closer to the poles.
+/// Returns the arguments of the curve: every pixel, all special points, and closer and closer to
+/// the poles.
 std::vector<double> arguments(const Axes& axes, const LinearStability& stability) {
     std::vector<double> result;
     const double step = axes.until() / (plot_right - plot_left);
@@ -154,7 +156,8 @@ std::vector<double> arguments(const Axes& axes, const LinearStability& stability
     return result;
 }
 
-/// Broken at the poles. What lies above or below the plot is drawn a little outside, and clipped.
+/// Draws the curve, broken at the poles. Parts above or below the plot are drawn a little outside,
+/// and clipped.
 std::string curve(const Axes& axes, const OscillatorMap& map, const LinearStability& stability) {
     constexpr double outside = 1.5 * most;
     std::string path;
@@ -191,7 +194,7 @@ std::string touching(const Axes& axes, const LinearStability& stability) {
     return result;
 }
 
-/// `head` and items, in lines that fit below the plot.
+/// Breaks `head` and items into lines that fit below the plot.
 std::vector<std::string> broken(const std::string& head, const std::vector<std::string>& items) {
     std::vector<std::string> lines{head};
     for (std::size_t i = 0; i < items.size(); ++i) {
@@ -206,7 +209,7 @@ std::string short_text(const Number& number) {
     return fmt::format("{:.6g}", number.nearest_double());
 }
 
-/// What the picture shows, in words.
+/// Describes the picture in words.
 std::vector<std::string> words(const LinearStability& stability) {
     std::vector<std::string> intervals;
     for (const StabilityInterval& interval : stability.stable) {
@@ -247,7 +250,7 @@ std::string legend(double y, const LinearStability& stability) {
     return result;
 }
 
-// NOTE: grey, black and dashes, so that a print in black and white shows the same.
+// NOTE: grey, black and dashes are equally clear in a print in black and white.
 constexpr const char* style = R"(<style>
 text { font-family: sans-serif; font-size: 13px; fill: #000 }
 .middle { text-anchor: middle }

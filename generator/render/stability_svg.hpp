@@ -8,10 +8,10 @@
 
 namespace hvi::gen {
 
-/// Half the trace of the oscillator map over z = h omega in (0, until), with the stable intervals
-/// shaded: one SVG document that needs no other file and no font but the reader's own. The same
-/// method gives the same bytes. Precondition: no free parameter. NOTE: the program writes this
-/// small picture itself, so that `check --plot` works on machines without gnuplot.
+/// Draws half the trace of the oscillator map over z = h omega in (0, until), with the stable
+/// intervals shaded. The SVG document needs no other file and no font but the reader's own. Equal
+/// methods give equal bytes. Precondition: no free parameter. NOTE: the program writes this small
+/// picture itself, so that `check --plot` works on machines without gnuplot.
 [[nodiscard]] std::string stability_svg(const std::string& name, const OscillatorMap& map,
                                         const LinearStability& stability);
 

@@ -8,7 +8,7 @@ namespace hvi::gen {
 
 namespace {
 
-/// Null where the motion is not known to conserve it.
+/// Returns null where the motion is not known to conserve the quantity, or where only runs tell.
 Json kept_json(Keeping keeping) {
     const bool is_said = keeping != Keeping::unknown && keeping != Keeping::measured;
     return is_said ? Json(keeping == Keeping::kept) : Json(nullptr);

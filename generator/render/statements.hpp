@@ -1,4 +1,4 @@
-// What a method keeps of what a scene conserves, beside its certificate.
+// Statements on the conserved quantities of a scene that a method keeps, beside its certificate.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -11,11 +11,11 @@
 
 namespace hvi::gen {
 
-/// What was found of a scene, and what a method keeps of it.
+/// The symmetries found for a scene, and the statements on a method.
 struct SceneStatements {
-    std::string name;                      ///< of the scene
-    std::optional<SceneSymmetries> found;  ///< empty where nothing was looked for
-    std::string left_out;                  ///< why
+    std::string name;                      ///< the scene's name
+    std::optional<SceneSymmetries> found;  ///< empty where nothing was sought
+    std::string left_out;                  ///< why nothing was sought
     std::vector<Statement> statements;
 };
 

@@ -8,10 +8,10 @@
 
 namespace hvi::gen {
 
-/// For a terminal of 80 columns.
+/// Writes for a terminal of 80 columns.
 [[nodiscard]] std::string render_text(const SceneSymmetries& found);
 
-/// The schema `hvi-symmetries/1`.
+/// Writes the schema `hvi-symmetries/1`.
 [[nodiscard]] std::string render_json(const SceneSymmetries& found);
 
 }  // namespace hvi::gen

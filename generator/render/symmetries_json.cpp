@@ -16,7 +16,7 @@ Json generator_json(const SceneSymmetries& found, const AffineSymmetry& symmetry
     return json;
 }
 
-/// NOTE: brackets count from 1, as momentum_map_1 does.
+/// NOTE: brackets count from 1, as J1 does.
 Json algebra_json(const std::optional<SymmetryAlgebra>& algebra) {
     if (!algebra) return nullptr;
     Json constants = algebra->constants ? Json::array() : Json(nullptr);

@@ -13,7 +13,7 @@ std::string plural(std::size_t count, std::string_view singular, std::string_vie
     return fmt::format("{} {}", count, count == 1 ? singular : plural);
 }
 
-/// `x' = -y, y' = x`.
+/// Returns `x' = -y, y' = x`.
 std::string generator_text(const SceneSymmetries& found, const AffineSymmetry& symmetry) {
     std::string text;
     for (std::size_t i = 0; i < found.coordinates.size(); ++i) {
@@ -35,7 +35,7 @@ std::string count_text(const AffineSymmetries& affine) {
                   : fmt::format("at least {} ({})", n, affine.doubt);
 }
 
-/// `{J1, J2} = J3, ...`.
+/// Returns `{J1, J2} = J3, ...`.
 std::string brackets_text(const std::vector<StructureConstant>& constants) {
     std::string text;
     const StructureConstant* before = nullptr;

@@ -14,7 +14,7 @@ namespace hvi::gen {
 
 namespace {
 
-/// The two tableaux in one of their forms, exact or decimal.
+/// The two tableaux in one form, exact or decimal.
 struct Shown {
     std::vector<std::string> c;
     Cells A;
@@ -45,7 +45,8 @@ std::string entry_by_entry(const Shown& shown) {
            matrix_entries("A~", shown.A_tilde);
 }
 
-/// The two tableaux as tables, ending in an empty line; nothing when the terminal has no room.
+/// Returns the two tableaux as tables, ending in an empty line; nothing when the terminal has no
+/// room.
 std::optional<std::string> as_tables(const Shown& shown) {
     const Lines left = table_lines({"c", "A", shown.c, shown.A, "b", shown.b});
     const Lines right = table_lines({"c~", "A~", shown.c_tilde, shown.A_tilde, "b", shown.b});
@@ -62,7 +63,7 @@ std::optional<std::string> as_tables(const Shown& shown) {
     return text + "\n";
 }
 
-/// Exact, with a decimal where there is no closed form.
+/// Returns the exact forms, with decimals where there is no closed form.
 std::string exact_part(const ButcherPair& pair, int digits) {
     bool exact = false;
     bool complete = true;
@@ -78,8 +79,9 @@ std::string exact_part(const ButcherPair& pair, int digits) {
     return note + (tables ? *tables : entry_by_entry(entries));
 }
 
-/// In tables where they fit with as many digits. Where they do not, up to `easily_read` digits are
-/// cut down to `fewest_digits` for tables, since whoever asks for more wants them all.
+/// Returns the decimals. They are in tables where these fit with all digits. Where they do not fit,
+/// up to `easily_read` digits are cut down to `fewest_digits` for tables; who asks for more digits
+/// wants them all.
 std::string decimal_part(const ButcherPair& pair, int digits) {
     constexpr int easily_read = 16;
     constexpr int fewest_digits = 10;

@@ -1,4 +1,4 @@
-// What texts of methods for people share.
+// Common parts of the texts of methods for people.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -13,12 +13,12 @@ namespace hvi::gen {
 
 void append(std::string& text, const Lines& lines);
 
-/// A line for each entry, and an empty one.
+/// Returns a line for each entry, and an empty one.
 [[nodiscard]] std::string vector_entries(std::string_view name,
                                          const std::vector<std::string>& vector);
 [[nodiscard]] std::string matrix_entries(std::string_view name, const Cells& matrix);
 
-/// What the method is: its title, the lines `counts`, its basis and parameters.
+/// Returns the heading of a method: its title, the lines `counts`, its basis and parameters.
 [[nodiscard]] std::string heading(const Provenance& provenance,
                                   const std::vector<std::string>& parameters,
                                   const std::string& counts);

@@ -14,7 +14,7 @@ namespace {
 
 using Entries = std::array<const Ball*, 9>;
 
-/// The sum of a_k b_k.
+/// Returns the sum of a_k b_k.
 Ball dot(const Entries& R, const std::array<std::size_t, 3>& a,
          const std::array<std::size_t, 3>& b) {
     Ball sum;
@@ -23,8 +23,8 @@ Ball dot(const Entries& R, const std::array<std::size_t, 3>& a,
     return sum;
 }
 
-/// By how much the columns are provably no orthonormal ones: a lower bound of the largest entry of
-/// R^T R - 1.
+/// Returns by how much the columns are provably not orthonormal: a lower bound of the largest entry
+/// of R^T R - 1.
 double defect(const Entries& R) {
     double largest = 0;
     for (std::size_t i = 0; i < 3; ++i) {

@@ -20,8 +20,8 @@ Ball value_of(const Parameter& parameter) {
     } catch (const MathError& error) { throw no_value(parameter, error.what(), error.place()); }
 }
 
-/// Throws MathError where a value is larger than doubles, or smaller than what is written as a sum
-/// of them (2^-900), and not 0.
+/// Throws MathError where a value is beyond the range of doubles, or is not 0 and smaller than
+/// 2^-900, below which values cannot be written as sums of doubles.
 void check_range(const Ball& value, const std::string& name, const Place& place) {
     Ball one, size, infinite_from, least;
     arb_set_si(one.get(), 1);

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double most_steps = 1e15;
 
-/// The largest integer that is not above the number. Precondition: it fits.
+/// Returns the largest integer that is not above the number. Precondition: it fits.
 std::int64_t floor(const Number& number) {
     const auto nearest = static_cast<std::int64_t>(std::nearbyint(number.nearest_double()));
     const auto is_above = [&](std::int64_t integer) {
@@ -24,8 +24,8 @@ std::int64_t floor(const Number& number) {
     return is_above(nearest) ? nearest - 1 : is_above(nearest + 1) ? nearest : nearest + 1;
 }
 
-/// The ground with the values of parameters. NOTE: a list may be long, and its values are looked at
-/// where these expressions have them.
+/// Returns the ground with the values of parameters. NOTE: a list may be long, so only its values
+/// that occur in these expressions are read.
 Ground with_parameters(Ground ground, const SceneTimes& times,
                        std::initializer_list<const NamedExpression*> expressions) {
     std::set<std::string> names;
@@ -41,7 +41,8 @@ Number value_of(const NamedExpression& what, const Ground& ground) {
     return evaluate_number(what.expression, what.place.source, ground);
 }
 
-/// The double nearest to a time. Throws MathError where that is infinite, or 0 and the time is not.
+/// Returns the double nearest to a time. Throws MathError where that is infinite, or 0 and the time
+/// is not.
 double nearest_time(const Number& time, const Place& place) {
     const double nearest = time.nearest_double();
     if (!std::isfinite(nearest) || (nearest == 0 && time.sign() != 0))

@@ -48,7 +48,7 @@ Ball size(const Ball& x) {
     return result;
 }
 
-/// What is wrong with an argument, as far as is proved; or nothing.
+/// Returns what is provably wrong with an argument; or nothing.
 std::string_view fault(RealDomain domain, const Ball& x) {
     switch (domain) {
     case RealDomain::everywhere: break;
@@ -165,7 +165,7 @@ private:
         return result;
     }
 
-    /// Any number: of the function nothing is known but where it is called.
+    /// Returns any number: nothing is known of the function but its arguments.
     [[nodiscard]] Ball of_user(const Expression& expression) const {
         for (const Expression& argument : expression.arguments) { (void)(*this)(argument); }
         Ball result;
@@ -184,7 +184,7 @@ private:
         return result;
     }
 
-    /// Of both values where the comparison is not proved, and of the chosen one alone where it is.
+    /// Encloses both values where the comparison is not decided, and the chosen one where it is.
     [[nodiscard]] Ball choice(const Expression& expression) const {
         const auto argument = [&](std::size_t k) { return (*this)(expression.arguments.at(k)); };
         const Ball a = argument(0), b = argument(1);

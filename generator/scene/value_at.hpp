@@ -1,4 +1,4 @@
-// Values of expressions where their symbols have values.
+// Values of expressions for values of their symbols.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -11,15 +11,14 @@
 
 namespace hvi::gen {
 
-/// What symbols stand for.
+/// The values of symbols.
 using SymbolValues = std::map<std::string, Ball>;
 
-/// An enclosure of the value, computed with some 80 digits; not finite where that does not tell
-/// whether there is one. Throws MathError, with its place in `source` if that is not null, where
-/// there provably is none among the real numbers: a division by zero, a root of a negative number,
-/// ... A function of the user's own may be
-/// any number. Preconditions: every symbol but pi and e has a value; neither roots nor bspline is
-/// called.
+/// Returns an enclosure of the value, computed with some 80 digits. It is not finite where it does
+/// not tell whether there is a value. Throws MathError, with its place in `source` if that is not
+/// null, where there provably is no real value: a division by zero, a root of a negative number,
+/// ... A function of the user's own may be any number. Preconditions: every symbol but pi and e has
+/// a value; neither roots nor bspline is called.
 [[nodiscard]] Ball value_at(const Expression& expression, const SymbolValues& symbols,
                             const std::shared_ptr<const Source>& source);
 

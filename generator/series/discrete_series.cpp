@@ -19,7 +19,7 @@ namespace {
 
 using Expressions = std::map<std::string, Expression>;
 
-/// With expressions in place of symbols.
+/// Replaces symbols by expressions.
 Expression substituted(const Expression& expression, const Expressions& symbols) {
     if (expression.kind == Expression::Kind::symbol) {
         const auto found = symbols.find(expression.name);
@@ -32,7 +32,7 @@ Expression substituted(const Expression& expression, const Expressions& symbols)
     return with_arguments(expression, std::move(arguments));
 }
 
-/// H as it was written, but for parameters that have a value.
+/// Returns H as it was written, with values of parameters put in.
 Expression with_values(const Hamiltonian& hamiltonian) {
     Expressions values;
     for (const Parameter& parameter : hamiltonian.parameters) {
@@ -44,7 +44,7 @@ Expression with_values(const Hamiltonian& hamiltonian) {
 /// The coefficients of one power of h.
 struct Forms {
     Expression exact, method;
-    Number difference;  ///< that of the method less the exact one
+    Number difference;  ///< the method's coefficient less the exact one
     Expression difference_form;
 };
 
@@ -53,9 +53,9 @@ const std::vector<std::string>& parameters(const DerivedMethod& method) {
         [](const auto& derived) -> const auto& { return derived.parameters; }, method);
 }
 
-/// All symbols, each at a rational number of its own; at others in each point. NOTE: none is a
-/// binary fraction, so that all their balls have a radius, and a ball that is 0 is that of a
-/// function that is 0 everywhere.
+/// Returns a point with a different rational number for each symbol, and for each `point`. NOTE:
+/// none is a binary fraction, so that all their balls have a radius, and a ball that is exactly 0
+/// belongs to a function that is 0 everywhere.
 SymbolValues some_point(const System& system, const DerivedMethod& method, std::size_t point) {
     SymbolValues values;
     const auto add = [&](const std::string& name) {
@@ -71,13 +71,13 @@ SymbolValues some_point(const System& system, const DerivedMethod& method, std::
     return values;
 }
 
-/// What is not zero, by its value at a point, where a value that is not zero is a proof.
+/// Proves that functions are not zero, by their values at a point.
 class AtPoint {
 public:
     AtPoint(const System& system, SymbolValues point)
         : point_(std::move(point)), elementary_(system, point_) {}
 
-    /// sum of excess/symmetry times the elementary Hamiltonian.
+    /// Decides for the sum of excess/symmetry times the elementary Hamiltonian.
     [[nodiscard]] bool
     is_proved_nonzero(const std::vector<std::pair<SeriesTreePointer, Expression>>& excesses) {
         Ball sum = NodeBalls::integer(0);
@@ -94,7 +94,7 @@ private:
     ElementaryHamiltonians<NodeBalls> elementary_;
 };
 
-/// The systems for which a method has weights.
+/// Returns the kind of systems for which a method has weights.
 SeriesFamily family_of(const DerivedMethod& method, const System& system) {
     if (std::holds_alternative<Tableau>(method)) { return SeriesFamily::general; }
     const bool is_nystrom = system.structure.kinetic_is_quadratic;
@@ -118,8 +118,9 @@ public:
     Series(const Series&) = delete;
     Series& operator=(const Series&) = delete;
 
-    /// That of h, which is H: by constants in the span of the basis the sum of all weights is 1
-    /// (Leok & Zhang, Section 4.4.3). NOTE: as it is written, and so however long it is.
+    /// Appends the coefficient of h, which is H: with constants in the span of the basis the sum of
+    /// all weights is 1 (Leok & Zhang, Section 4.4.3). NOTE: H is taken as it is written, and so
+    /// has any length.
     void begin(DiscreteSeries& result);
     void append(DiscreteSeries& result);
 
@@ -145,7 +146,7 @@ void Series::begin(DiscreteSeries& result) {
     result.method.emplace_back(hamiltonian_);
 }
 
-/// NOTE: beyond a coefficient that is too long all are.
+/// NOTE: after a coefficient that is too long all are.
 void Series::append(DiscreteSeries& result) {
     const auto trees = next_trees();
     const auto found = trees && result.exact.back() ? forms(*trees) : std::nullopt;
@@ -154,7 +155,7 @@ void Series::append(DiscreteSeries& result) {
     if (!result.first_difference && !result.undecided) { compare(result, trees, found); }
 }
 
-/// Empty where there are too many, and then from there on.
+/// Returns nothing where there are too many trees, and from then on.
 std::optional<SeriesTrees> Series::next_trees() {
     if (are_too_many_) { return std::nullopt; }
     try {
@@ -165,7 +166,7 @@ std::optional<SeriesTrees> Series::next_trees() {
     }
 }
 
-/// NOTE: a tree whose weights agree adds nothing to the difference, whatever H is.
+/// NOTE: a tree with equal weights adds nothing to the difference, for any H.
 std::optional<Forms> Series::forms(const SeriesTrees& trees) {
     Number exact, difference;
     try {
@@ -189,8 +190,8 @@ Expression Series::written(const Number& number) const {
     return substituted(*form, elementary_.values().hidden());
 }
 
-/// By the normal form, where the functions in it cannot depend on each other in ways that it does
-/// not see; else by the weights of trees and by values.
+/// Compares two coefficients by the normal form, if functions in it cannot depend on each other in
+/// ways that it does not see; else by the weights of trees and by values.
 void Series::compare(DiscreteSeries& result, const std::optional<SeriesTrees>& trees,
                      const std::optional<Forms>& found) {
     const bool is_zero = found && found->difference.is_zero();
@@ -204,7 +205,7 @@ void Series::compare(DiscreteSeries& result, const std::optional<SeriesTrees>& t
     }
 }
 
-/// Whether the coefficients are, where that is proved.
+/// Whether the coefficients are equal, if that is proved or refuted.
 std::optional<bool> Series::are_equal(const std::optional<SeriesTrees>& trees) {
     if (!trees) { return std::nullopt; }
     std::vector<std::pair<SeriesTreePointer, Expression>> excesses;

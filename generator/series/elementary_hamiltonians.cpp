@@ -11,7 +11,7 @@ namespace hvi::gen {
 
 namespace {
 
-/// Beyond these nobody waits for the sum, nor reads it.
+/// Limits: a longer sum takes too long, and nobody reads it.
 constexpr std::size_t most_products = 1'000'000;
 constexpr std::size_t most_nodes = 300'000;
 
@@ -69,17 +69,17 @@ auto ElementaryHamiltonians<Values>::inverse_pp() -> const std::vector<std::vect
     return inverse_pp_.emplace(Values::inverse(pp));
 }
 
-/// The variable by which the end of an edge is a derivative. That of the time's momentum is beyond
-/// all others.
+/// Returns the variable of the derivative at the end of an edge. The time's momentum has a number
+/// beyond all others.
 template <class Values>
 std::size_t ElementaryHamiltonians<Values>::variable(std::size_t d, End end) const {
     if (end == End::q) { return d; }
     return system_.time && d + 1 == edges_ ? inputs_.size() : edges_ + d;
 }
 
-/// The sum over the d of the edges to the children from `child` on, after those of `index`. NOTE:
-/// no vertex with other edges has a derivative by the time's momentum that is not zero, and one
-/// with that edge alone is never in the middle.
+/// Returns the sum over the d of the edges to the children from `child` on, after those of `index`.
+/// NOTE: a vertex with other edges has no derivative by the time's momentum that is not zero, and a
+/// vertex with this edge alone is never in the middle.
 template <class Values>
 auto ElementaryHamiltonians<Values>::at_vertex(const SeriesTree& tree, const Index& index,
                                                std::size_t child) -> Value {
@@ -101,7 +101,8 @@ auto ElementaryHamiltonians<Values>::at_vertex(const SeriesTree& tree, const Ind
     return sum;
 }
 
-/// All further derivatives of what is zero are. NOTE: not of H itself, which need not be looked at.
+/// Whether a derivative vanishes, as all further derivatives of zero do. NOTE: H itself is not
+/// looked at.
 template <class Values>
 bool ElementaryHamiltonians<Values>::vanishes(const Index& index) {
     return !index.empty() && Values::is_zero(derivative(index));

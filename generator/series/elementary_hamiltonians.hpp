@@ -1,4 +1,4 @@
-// The elementary Hamiltonians of a system: what a tree says, in derivatives of its H.
+// The elementary Hamiltonians of a system: the derivatives of H that trees stand for.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -15,18 +15,18 @@
 
 namespace hvi::gen {
 
-/// Each vertex of a tree is a derivative of H, by q_d for an arrow on its q and by p_d for one on
-/// its p, and each arrow is a sum over d: the tree of two vertices is the sum of dH/dq_d dH/dp_d
-/// (see tree_weights.hpp). The time is one more coordinate, by whose momentum H + e has the
-/// derivative 1, as in the extended phase space. A link is a sum over d and e, with the entry of
-/// the inverse of d2H/dp2 between the derivatives by p_d and by p_e.
-/// `Values` are those of a graph's nodes: NodeValues or NodeBalls.
+/// Each vertex of a tree is a derivative of H: by q_d for an arrow on its q and by p_d for one on
+/// its p. Each arrow is a sum over d: the tree of two vertices is the sum of dH/dq_d dH/dp_d (see
+/// tree_weights.hpp). The time is one more coordinate, and H + e has the derivative 1 by its
+/// momentum e, as in the extended phase space. A link is a sum over d and e, with the entry of the
+/// inverse of d2H/dp2 between the derivatives by p_d and by p_e. `Values` computes the values of a
+/// graph's nodes: NodeValues or NodeBalls.
 template <class Values>
 class ElementaryHamiltonians {
 public:
     using Value = typename Values::Value;
 
-    /// Gets the system's graph, and what else `Values` are made of.
+    /// Gets the system's graph, and the second argument of `Values`.
     template <class What>
     ElementaryHamiltonians(System system, const What& what)
         : system_(std::move(system)),
@@ -41,8 +41,8 @@ public:
     ElementaryHamiltonians(const ElementaryHamiltonians&) = delete;
     ElementaryHamiltonians& operator=(const ElementaryHamiltonians&) = delete;
 
-    /// Throws TooLarge, and MathError where the tree has a link and d2H/dp2 is singular.
-    /// Precondition: the tree has two vertices or more.
+    /// Returns the elementary Hamiltonian. Throws TooLarge, and MathError where the tree has a link
+    /// and d2H/dp2 is singular. Precondition: the tree has two vertices or more.
     [[nodiscard]] Value operator()(const SeriesTree& tree);
 
     [[nodiscard]] const Values& values() const { return values_; }
@@ -50,7 +50,7 @@ public:
 private:
     using Index = std::vector<std::size_t>;  ///< the variables of a derivative, ascending
 
-    /// What hangs on an edge, for each d of the vertex above it.
+    /// Returns the values of the branch on an edge, for each d of the vertex above it.
     [[nodiscard]] const std::vector<Value>& on_edge(const SeriesTree& branch);
     [[nodiscard]] std::vector<Value> on_arrow(const SeriesTree& branch);
     [[nodiscard]] std::vector<Value> on_link(const SeriesTree& branch);
@@ -64,7 +64,7 @@ private:
 
     System system_;
     std::vector<Node> inputs_;  ///< coordinates, the time where it occurs, momenta
-    std::size_t edges_;         ///< how many d an edge is a sum over
+    std::size_t edges_;         ///< the number of d in the sum of an edge
     Values values_;
     std::map<Index, Scaled> nodes_;
     std::map<std::string, std::vector<Value>> on_edges_;

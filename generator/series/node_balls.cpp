@@ -15,7 +15,7 @@ namespace {
 
 constexpr Precision bits = 256;
 
-/// Square, freed when it goes.
+/// A square matrix, freed by its destructor.
 struct MatrixOfBalls {
     explicit MatrixOfBalls(std::size_t size) { arb_mat_init(entries, slong(size), slong(size)); }
     MatrixOfBalls(const MatrixOfBalls&) = delete;

@@ -1,4 +1,4 @@
-// The values of a graph's nodes where its inputs have values.
+// The values of a graph's nodes for values of its inputs.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -10,8 +10,8 @@
 
 namespace hvi::gen {
 
-/// Enclosures, which are not finite where there is no value. Precondition: those of the inputs are
-/// not exact, so that what is exactly zero is zero whatever the inputs are.
+/// Enclosures of the values, which are not finite where there is no value. Precondition: the
+/// inputs' balls are not exact, so that an exact zero is zero for all inputs.
 class NodeBalls {
 public:
     using Value = Ball;
@@ -19,8 +19,8 @@ public:
     [[nodiscard]] static Ball integer(long value);
     [[nodiscard]] static Ball sum(const Ball& a, const Ball& b);
     [[nodiscard]] static Ball product(const Ball& a, const Ball& b);
-    [[nodiscard]] static bool is_zero(const Ball& a);  ///< known to be
-    /// Throws MathError where it is not proved to be regular.
+    [[nodiscard]] static bool is_zero(const Ball& a);  ///< whether it is known
+    /// Throws MathError where the matrix is not proved to be regular.
     [[nodiscard]] static std::vector<std::vector<Ball>>
     inverse(const std::vector<std::vector<Ball>>& matrix);
 

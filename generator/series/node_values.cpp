@@ -18,7 +18,7 @@ Number number(const SmallFraction& fraction) {
     return Number(fraction.above) / Number(fraction.below);
 }
 
-/// What the exact arithmetic makes of it; empty where it has no place for that.
+/// Evaluates an expression in exact arithmetic; returns nothing where it has no value there.
 std::optional<Number> evaluated(const Expression& expression, const Ground& ground) {
     try {
         const Number result = evaluate_number(expression, nullptr, ground);
@@ -28,7 +28,7 @@ std::optional<Number> evaluated(const Expression& expression, const Ground& grou
     } catch (const InputError&) { return std::nullopt; }
 }
 
-/// The operation on arguments that have these values.
+/// Applies the operation to these values of its arguments.
 std::optional<Number> applied(const Computation& computation, const NumberVector& values,
                               const Ground& ground) {
     Ground local = ground;
@@ -81,8 +81,8 @@ std::optional<Number> NodeValues::computed(const Computation& computation) {
     return applied(computation, values, ground_);
 }
 
-/// NOTE: 1/sqrt(u) asks for it again where sqrt(u) was asked for: the field knows the root of u
-/// then, but not its sign, so that it is remembered as a node's value is.
+/// Returns a root, and remembers it. NOTE: after sqrt(u) the field has the root of u, but not its
+/// sign; so 1/sqrt(u) needs the remembered root.
 std::optional<Number> NodeValues::root(Node argument) {
     const auto [entry, is_new] = roots_.try_emplace(argument);
     if (is_new) {

@@ -12,9 +12,9 @@
 
 namespace hvi::gen {
 
-/// Functions of the inputs, in normal form. What the field has no place for, as log(q), is a free
-/// symbol of its own, called as it is written: a combination that is zero then is proved to be
-/// zero, and one that is not may be zero all the same.
+/// Functions of the inputs, in normal form. A function that the field does not contain, as log(q),
+/// is a free symbol of its own, named by its text. A combination that vanishes then is proved to be
+/// zero; one that does not may be zero all the same.
 class NodeValues {
 public:
     using Value = Number;
@@ -23,7 +23,7 @@ public:
     [[nodiscard]] static Number sum(const Number& a, const Number& b) { return a + b; }
     [[nodiscard]] static Number product(const Number& a, const Number& b) { return a * b; }
     [[nodiscard]] static bool is_zero(const Number& a) { return a.is_zero(); }
-    /// Throws MathError where it is singular.
+    /// Throws MathError where the matrix is singular.
     [[nodiscard]] static NumberMatrix inverse(const NumberMatrix& matrix);
 
     /// The graph may grow.
@@ -32,7 +32,7 @@ public:
     /// Throws TooLarge.
     [[nodiscard]] Number operator()(const Scaled& a);
 
-    /// The expressions that are free symbols, by their names.
+    /// Returns the expressions that are free symbols, by their names.
     [[nodiscard]] const std::map<std::string, Expression>& hidden() const { return hidden_; }
 
 private:
@@ -45,7 +45,7 @@ private:
     const Graph& graph_;
     Ground ground_;
     std::map<Node, Number> known_;
-    std::map<Node, std::optional<Number>> roots_;  ///< by what they are the roots of
+    std::map<Node, std::optional<Number>> roots_;  ///< by their arguments
     std::map<std::string, Expression> hidden_;
 };
 

@@ -12,10 +12,10 @@ namespace hvi::gen {
 
 namespace {
 
-/// Beyond these nobody waits for the sum.
+/// The limit: a longer sum takes too long.
 constexpr std::size_t most_trees = 500'000;
 
-/// Vertices with these ends, as many at most.
+/// A kind of vertices with these ends, at most so many.
 struct VertexKind {
     std::vector<End> ends;
     std::size_t most_edges;
@@ -25,7 +25,7 @@ struct VertexKind {
     }
 };
 
-/// The kinds have no edges in common, so that a vertex is of one of them.
+/// Returns the kinds. They have no edges in common, so that a vertex has one kind.
 std::vector<VertexKind> vertex_kinds(SeriesFamily family) {
     constexpr std::size_t any = std::numeric_limits<std::size_t>::max();
     switch (family) {
@@ -53,8 +53,9 @@ std::string text(std::optional<End> above, const SeriesTrees& children) {
     return children.empty() ? result : result + "]";
 }
 
-/// NOTE: on a link what is in the span is nothing, as 1 and d2H/dp2 times what comes by an arrow;
-/// two links and nothing else are a part of d2H/dp2, which links have the inverse of.
+/// Whether a vertex vanishes. NOTE: on a link the part in the span vanishes, as do 1 and d2H/dp2
+/// times the value of an arrow. Two links and nothing else are a part of d2H/dp2, whose inverse
+/// links have.
 bool is_second_derivative_with_link(std::optional<End> above, const SeriesTrees& children) {
     std::vector<End> ends;
     if (above) { ends.push_back(*above); }
@@ -67,7 +68,7 @@ int ends_of_arrows(const SeriesTree& branch) {
     return 2 * branch.arrows - (branch.above == End::link ? 0 : 1);
 }
 
-/// Calls `add` with the children of each vertex of this kind that has so many arrows below.
+/// Calls `add` with the children of each vertex of this kind that has `arrows` arrows below.
 template <class Add>
 void for_each_vertex(const SeriesTrees& candidates, int arrows, std::size_t most, const Add& add) {
     std::vector<int> sizes;
@@ -118,7 +119,7 @@ SeriesTrees UnrootedTrees::next() {
     if (arrows == 0) { return {graft(std::nullopt, {})}; }
     while (2 * arrows_of_branch_ < arrows) {
         ++arrows_of_branch_;
-        // NOTE: links are the last, since on one end they have arrows alone, as many as they have.
+        // NOTE: links come last, since below a link there are only arrows, and as many as it has.
         for (const End above : {End::p, End::q, End::link}) {
             add_branches(above, arrows_of_branch_);
         }
@@ -163,7 +164,7 @@ void UnrootedTrees::append_around_vertex(SeriesTrees& trees, int arrows) const {
     }
 }
 
-/// NOTE: where both halves are equal, to swap them is one more automorphism.
+/// NOTE: where both halves are equal, swapping them is one more automorphism.
 void UnrootedTrees::append_around_link(SeriesTrees& trees, int arrows) const {
     SeriesTrees halves;
     for (const SeriesTreePointer& branch : branches_) {

@@ -21,7 +21,7 @@ Number number(const RationalPolynomial& constant, const Ground& ground) {
     return ground.rational(constant.coefficient(0), "1");
 }
 
-/// Functions of the time in [0,1], polynomials over Q.
+/// Functions of time in [0,1]: polynomials over Q.
 struct Times {
     using Function = RationalPolynomial;
 
@@ -29,9 +29,9 @@ struct Times {
 
     [[nodiscard]] static Function one() { return Function(1); }
     [[nodiscard]] static Function product(const Function& g, const Function& h) { return g * h; }
-    /// The integral from 0.
+    /// Returns the integral from 0.
     [[nodiscard]] static Function from_start(const Function& g) { return antiderivative(g); }
-    /// The integral up to 1.
+    /// Returns the integral up to 1.
     [[nodiscard]] static Function to_end(const Function& g) { return all(g) - from_start(g); }
     /// NOTE: the velocity may be any function.
     [[nodiscard]] static Function over_link(const Function&) { return {}; }
@@ -76,7 +76,7 @@ private:
     NumberMatrix b_, A_, to_end_, over_link_;
 };
 
-/// The same at the roots of a polynomial over Q, where all weights are rational: of
+/// Functions on the stages at the roots of a polynomial over Q, where all weights are rational:
 /// PolynomialStages or ProjectedStages.
 template <class PolynomialFunctions>
 class StagesAtRoots {
@@ -109,7 +109,8 @@ private:
     Ground ground_;
 };
 
-/// From the leaves to the middle. What hangs on an edge is remembered, as many trees have it.
+/// Computes weights from the leaves to the middle. The values of branches are remembered, as many
+/// trees share them.
 template <class Domain>
 class WeightOn : public TreeWeight {
 public:

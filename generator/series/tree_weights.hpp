@@ -17,36 +17,36 @@ namespace hvi::gen {
 ///
 /// where V and W are dH/dp and dH/dq on the stages, since b_i (b_j - a~_ij) = b_j a_ji. So it is a
 /// sum over trees, each once, of h^vertices weight/symmetry times an elementary Hamiltonian. An
-/// arrow joins a derivative by p at one of its vertices to one by q at the other, a vertex is a
-/// derivative of H at (q_0, p_1), and the weight is that of the vertices on all stages: b_i for a
-/// vertex on stage i, and a_ij/b_j for an arrow from p on stage j to q on stage i. The exact H_d^+
-/// (4.1) is the same with the times in [0,1] for stages, where an arrow says that its q is later.
+/// arrow joins a derivative by p at one of its vertices to one by q at the other. A vertex is a
+/// derivative of H at (q_0, p_1). The weight sums over all placements of vertices on stages: b_i
+/// for a vertex on stage i, and a_ij/b_j for an arrow from p on stage j to q on stage i. The exact
+/// H_d^+ (4.1) has times in [0,1] in place of stages, and an arrow says that its q is later.
 ///
-/// (4.6) is the same over all V and the Y_i = P^i - p_1 of
+/// (4.6) gives the stationary value, over all V and the Y_i = P^i - p_1, of
 ///
 ///     p_1 q_0 + h sum_i b_i (H(Q^i, p_1 + Y_i) - Y_i v_i),
 ///     Q^i = q_0 + h sum_j A_ij V_j,    v_i = sum_j psi_j(c_i) V_j,
 ///
 /// since the rule is exact on the span. The part of Y in the span and V make the arrows, with
-/// a_ij/b_j = A_i G^-1 psi(c_j). What is left of Y is orthogonal to all v, and d2H/dp2 alone is its
-/// quadratic form. This makes links between two derivatives by p, with the inverse of d2H/dp2, the
+/// a_ij/b_j = A_i G^-1 psi(c_j). The rest of Y is orthogonal to all v, and d2H/dp2 alone is its
+/// quadratic form. It makes links between two derivatives by p, with the inverse of d2H/dp2, the
 /// weight psi(c_i)^T G^-1 psi(c_j) - delta_ij/b_j and the factor 1/h.
 class TreeWeight {
 public:
     virtual ~TreeWeight() = default;
 
     [[nodiscard]] virtual Number operator()(const SeriesTree& tree) = 0;
-    /// Whether all trees with this branch have weight 0, because of it.
+    /// Whether this branch makes the weight of all trees with it 0.
     [[nodiscard]] virtual bool is_nothing(const SeriesTree& branch) = 0;
 };
 using TreeWeightPointer = std::unique_ptr<TreeWeight>;
 
-/// Those of (4.1), rational numbers, and 0 for links. They remember what trees share, as those of a
-/// method do.
+/// Returns the weights of (4.1): rational numbers, and 0 for links. The object remembers parts that
+/// trees share.
 [[nodiscard]] TreeWeightPointer exact_weight(const Ground& ground);
 
-/// Those of (4.19) or (4.6). Throws MathError where coefficients of the method have no closed form.
-/// Precondition: the method is on the field of `ground`.
+/// Returns the weights of (4.19) or (4.6). Throws MathError where coefficients of the method have
+/// no closed form. Precondition: the method is on the field of `ground`.
 [[nodiscard]] TreeWeightPointer method_weight(const DerivedMethod& method, const Ground& ground);
 
 }  // namespace hvi::gen

@@ -21,7 +21,7 @@ constexpr int cannot_write = 3;
 constexpr int out_of_memory = 4;
 constexpr int cannot_read = 5;
 
-/// What is driven, for errors.
+/// Returns the driven file, for errors.
 std::filesystem::path file_of(const Target& target) {
     if (const auto* program = std::get_if<Program>(&target)) return program->file;
     if (const auto* library = std::get_if<Library>(&target)) return library->file;
@@ -37,7 +37,7 @@ ModuleStart start_of(const Library& library) {
             std::filesystem::absolute("." / library.directory).string(), library.parameters};
 }
 
-/// Work on steppers: the exit status.
+/// Work on steppers, which returns the exit status.
 using WorkOnSteppers = std::function<int(const FindSteppers&)>;
 
 /// An order to a driver: words for a program, or work on the steppers of a module.
@@ -54,7 +54,7 @@ ChildResult driven(const Command& command, const Program& program, const OnLine&
     return run_child(line, ".", on_line);
 }
 
-/// Starts the work, or the words, on steppers; `looks_at_rows` is as of a Library.
+/// Starts the work, or the words, on steppers; `looks_at_rows` is that of a Library.
 ChildResult driven(const Command& command, const FindSteppers& find, bool looks_at_rows,
                    const OnLine& on_line) {
     return run_child(
@@ -129,7 +129,7 @@ EnvironmentError Answers::unexpected(const std::string& what) const {
 
 namespace {
 
-/// What a program said, and how it ended.
+/// The output of a program, and its end.
 struct Hearing {
     Answers answers;
     ChildResult ended;

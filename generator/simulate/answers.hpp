@@ -1,4 +1,4 @@
-// What a driver has said: see src/driver/answer.hpp.
+// The output of a driver: see src/driver/answer.hpp.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -25,13 +25,13 @@
 
 namespace hvi::gen {
 
-/// Keys with their values in the order in which they were said. NOTE: what a program says comes
-/// from outside, though it was compiled here: who knows what the compiler was, and what became of
-/// its output. So all of these throw EnvironmentError where a line has no value, where what is
-/// asked for was not said, or is no number, and where there are not as many.
+/// Keys with their values in the order of the output. NOTE: a program's output comes from outside,
+/// though it was compiled here: the compiler may be anything, and its output may have been
+/// replaced. So all functions throw EnvironmentError where a line has no value, where a wanted key
+/// is missing or is no number, and where the number of values is wrong.
 class Answers {
 public:
-    /// Of a program, which errors speak of.
+    /// `program` is the name in errors.
     explicit Answers(std::filesystem::path program) : program_(std::move(program)) {}
 
     void hear(std::string_view line);
@@ -40,10 +40,10 @@ public:
     [[nodiscard]] const std::string& text(const std::string& key) const;
     [[nodiscard]] std::int64_t integer(const std::string& key) const;
     [[nodiscard]] double number(const std::string& key) const;
-    [[nodiscard]] std::vector<double> numbers(const std::string& key) const;  ///< none is fine
+    [[nodiscard]] std::vector<double> numbers(const std::string& key) const;  ///< none is allowed
     [[nodiscard]] std::vector<double> numbers(const std::string& key, std::size_t count) const;
 
-    /// To be thrown: the program did not say what it should, but this.
+    /// Returns the error for a program whose output is `what` instead of an answer.
     [[nodiscard]] EnvironmentError unexpected(const std::string& what) const;
 
 private:
@@ -59,34 +59,34 @@ struct Program {
     std::filesystem::path file;
 };
 
-/// A compiled library, which a copy of this process runs, and the data for it.
+/// A compiled library, which a copy of this process runs, and its data.
 struct Library {
     std::filesystem::path file;
-    std::filesystem::path directory;  ///< of the scene
+    std::filesystem::path directory;  ///< the scene's directory
     std::vector<double> parameters;
-    bool looks_at_rows = false;  ///< alone: values of a state cost as much as a step does
-    std::shared_ptr<LateBuild> solvers = {};  ///< that its steps seldom call; or none
+    bool looks_at_rows = false;  ///< for rows only: values of a state cost as much as a step
+    std::shared_ptr<LateBuild> solvers = {};  ///< solvers that its steps seldom call; or none
 };
 
-/// Steppers without a compiler, which a copy of this process takes.
+/// Steppers without a compiler, which a copy of this process runs.
 struct Interpreted {
     MakeStepper make;
 };
 
-/// What a driver drives.
+/// The target of a driver.
 using Target = std::variant<Program, Library, Interpreted>;
 
-/// Calls a compiled driver with these words, once more where solvers had to be compiled for it, and
-/// hears it out; `on_progress` gets the part that is done as often as the driver says. Throws
-/// EnvironmentError where it did not end well, could not write `file`, or said what is no answer,
-/// and Interruption.
+/// Calls a compiled driver with these words, and reads its output; calls it again where solvers had
+/// to be compiled for it. `on_progress` gets the finished part whenever the driver reports it.
+/// Throws EnvironmentError where the driver did not end well, could not write `file`, or gave no
+/// answer, and Interruption.
 [[nodiscard]] Answers ask(const Target& target, const std::vector<std::string>& words,
                           const std::filesystem::path& file = {},
                           const std::function<void(double)>& on_progress = nullptr);
 
-/// Has a trajectory taken, directions carried along, a modified Hamiltonian, a balance or the end
-/// of a run with events measured, likewise. Precondition: the target is no
-/// Program.
+/// Has the target compute a trajectory, directions carried along, a modified Hamiltonian, a
+/// balance, or the measured end of a run with events. Throws as above. Precondition: the target is
+/// no Program.
 [[nodiscard]] Answers ask(const Target& target, const TrajectoryWishes& wishes,
                           const std::function<void(double)>& on_progress = nullptr);
 [[nodiscard]] Answers ask(const Target& target, const TangentWishes& wishes,

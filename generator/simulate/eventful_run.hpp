@@ -1,4 +1,4 @@
-// Runs with jumps, kinks and scaled time, of which ends and costs are asked.
+// Measurements of the ends and costs of runs with jumps, kinks and scaled time.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -12,18 +12,19 @@
 
 namespace hvi::gen {
 
-/// Where such a run ends and what it costs.
+/// The end of such a run, and its cost.
 struct EventfulMeasurement {
     Measurement run;
-    double t = 0;                           ///< at the end
-    std::vector<std::int64_t> events = {};  ///< how many there were of each
-    std::vector<double> outputs = {};       ///< the first coordinate at times that are asked for
+    double t = 0;                           ///< the time at the end
+    std::vector<std::int64_t> events = {};  ///< the number of occurrences of each
+    std::vector<double> outputs = {};       ///< the first coordinate at the wished times
 };
 
-/// Throws as ask() does. Precondition: the target is no Program, and no samples are wished for.
+/// Measures a run. Throws as ask() does. Precondition: the target is no Program, and no samples are
+/// wished for.
 [[nodiscard]] EventfulMeasurement measure(const Target& target, const EventfulRunWishes& wishes);
 
-/// The departures of what is conserved, in parts of the run. Throws as ask() does.
+/// Returns the departures of conserved quantities, in parts of the run. Throws as ask() does.
 [[nodiscard]] DepartureSamples sample_departures(const Target& target,
                                                  const EventfulRunWishes& wishes);
 

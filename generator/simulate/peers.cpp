@@ -24,7 +24,7 @@ int main() {
 }
 )";
 
-// NOTE: it is linked as the driver is, and started: headers alone do not make a library.
+// NOTE: the probe is linked as the driver is, and started: headers alone do not make a library.
 constexpr const char* probe_of_gsl = R"(#include <cstdio>
 #include <gsl/gsl_odeiv2.h>
 #include <gsl/gsl_version.h>
@@ -76,7 +76,7 @@ bool applies(const Peer& peer, const System& system) {
 }
 
 SceneStepper stepper_for_peers(const LoweredScene& scene) {
-    // NOTE: a method with equations to solve, so that Newton's method wants second derivatives.
+    // NOTE: the method has equations to solve, so that Newton's method wants second derivatives.
     const auto name = std::make_shared<const Source>(Source{"--method", "gauss:2"});
     return scene_stepper(named_method(name), scene, simulation_wishes(Solver::newton));
 }

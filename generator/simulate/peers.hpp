@@ -1,4 +1,4 @@
-// Integrators of other libraries, which a scene is given to as it is to a stepper.
+// Integrators of other libraries, which get scenes as steppers do.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -14,10 +14,10 @@
 namespace hvi::gen {
 
 struct Peer {
-    std::string name;                ///< in its library, and for the driver
-    int order = 0;                   ///< 0 where it varies
-    bool takes_equal_steps = false;  ///< else it chooses them by a tolerance
-    bool needs_separable = false;    ///< H, and without explicit time
+    std::string name;                ///< the name in its library, and for the driver
+    int order = 0;                   ///< 0 where the order varies
+    bool takes_equal_steps = false;  ///< else a tolerance determines them
+    bool needs_separable = false;    ///< needs a separable H without explicit time
 };
 
 struct PeerLibrary {
@@ -30,18 +30,19 @@ struct PeerLibrary {
 
 [[nodiscard]] const std::vector<PeerLibrary>& peer_libraries();
 
-/// Its version; empty where it is not installed, as far as the compiler finds it. Throws
+/// Returns the version of a library; empty where the compiler does not find it. Throws
 /// Interruption.
 [[nodiscard]] std::optional<std::string> installed_version(Builds& builds,
                                                            const PeerLibrary& library);
 
 [[nodiscard]] bool applies(const Peer& peer, const System& system);
 
-/// A scene with what peers evaluate. Throws as scene_stepper() does.
+/// Returns a stepper with the functions of a scene that peers evaluate. Throws as scene_stepper()
+/// does.
 [[nodiscard]] SceneStepper stepper_for_peers(const LoweredScene& scene);
 
-/// A run of a peer. `tolerance` is that of what chooses its steps, of which then the first has the
-/// size that `steps` has.
+/// A run of a peer. For adaptive peers, `tolerance` is their error tolerance, and until/steps the
+/// first step size.
 struct PeerRun {
     double until = 0;
     std::int64_t steps = 1;
@@ -52,7 +53,7 @@ struct PeerRun {
 [[nodiscard]] Measurement measure_peer(const std::filesystem::path& program, const Peer& peer,
                                        const PeerRun& run, double seconds);
 
-/// The same as sample_departures() does.
+/// Samples departures of a peer, as sample_departures() does.
 [[nodiscard]] DepartureSamples sample_departures_of_peer(const std::filesystem::path& program,
                                                          const Peer& peer, const PeerRun& run,
                                                          std::int64_t samples);

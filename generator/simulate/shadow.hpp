@@ -12,13 +12,13 @@ namespace hvi::gen {
 
 /// Measurements of the modified Hamiltonian.
 struct ShadowFindings {
-    double start = 0, largest = 0, last = 0;  ///< at the first place, and changes from there
-    double error = 0;                         ///< of differences in place of derivatives, at most
-    std::string fault = {};                   ///< why a step failed; empty where none did
+    double start = 0, largest = 0, last = 0;  ///< first value, then changes
+    double error = 0;        ///< the largest error of differences in place of derivatives
+    std::string fault = {};  ///< why a step failed; empty where none did
 };
 
-/// Throws as ask() does. Preconditions: the target has a stepper of shadow_stepper(), and there are
-/// as many steps as it takes.
+/// Measures the modified Hamiltonian. Throws as ask() does. Preconditions: the target has a stepper
+/// of shadow_stepper(), and there are at least as many steps as it takes.
 [[nodiscard]] ShadowFindings find_shadow(const Target& target, const ShadowWishes& wishes,
                                          const std::function<void(double)>& on_progress);
 

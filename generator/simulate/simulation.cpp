@@ -23,8 +23,8 @@ std::string quoted(const std::vector<std::string>& names) {
     return lines(items);
 }
 
-/// The members of the stepper that compute what a run is to keep. Where H depends on the time the
-/// energy is among the columns too, but nothing is said of its departure.
+/// Returns the stepper's members that compute the conserved quantities of a run. Where H depends on
+/// time, the energy is a column too, but its departure is not reported.
 std::string values(const std::vector<std::string>& conserved) {
     std::vector<std::string> items;
     for (const std::string& name : conserved)
@@ -37,8 +37,8 @@ void add(ProgramText& program, const std::vector<OwnHeader>& own) {
         program.headers.emplace("scene/" + header.path, header.text);
 }
 
-/// NOTE: where the user has headers, that of the stepper stands with them in a directory of their
-/// own, under a name that none of them can have: no file of the program is taken for one of them.
+/// NOTE: the stepper's header stands with the user's headers in a directory of their own, under a
+/// name that none of them can have. So no file of the program is taken for one of them.
 ProgramText program_around(const std::string& stepper, const std::vector<OwnHeader>& own,
                            std::string_view main, Holes holes, std::vector<std::string> libraries) {
     const std::string name = own.empty() ? "stepper.hpp" : "scene/~stepper.hpp";
@@ -48,7 +48,7 @@ ProgramText program_around(const std::string& stepper, const std::vector<OwnHead
     return program;
 }
 
-/// NOTE: as above.
+/// NOTE: directories are as in program_around().
 ProgramText module_text(const std::string& source, const std::vector<OwnHeader>& own) {
     ProgramText text{.main = source, .headers = {}, .artifact = Artifact::library};
     if (own.empty()) return text;
@@ -99,7 +99,7 @@ std::vector<NameBox> boxes(const System& system, FamilyKind kind) {
     return result;
 }
 
-/// NOTE: of a Lagrangian the momenta are names alone.
+/// NOTE: momenta of a Lagrangian are names only.
 std::vector<NameBox> boxes_of_momenta(const System& system) {
     if (system.side == Side::hamiltonian) return boxes(system, FamilyKind::conjugate);
     std::vector<NameBox> result;
@@ -221,7 +221,7 @@ void write_start(const Target& program, const std::filesystem::path& file) {
 }
 namespace {
 
-/// The event that a driver names.
+/// Returns the event that a driver names.
 const DrivenEvent& event_of(const Answers& answers, const std::string& key,
                             const std::vector<DrivenEvent>& events) {
     const auto number = static_cast<std::size_t>(answers.integer(key));
@@ -229,7 +229,7 @@ const DrivenEvent& event_of(const Answers& answers, const std::string& key,
     return events[number];
 }
 
-/// The frequencies of columns.
+/// Returns the frequencies of columns.
 std::vector<ColumnFrequencies> frequencies_of(const std::vector<ColumnBox>& columns,
                                               const Answers& answers) {
     std::vector<ColumnFrequencies> result;

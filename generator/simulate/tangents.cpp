@@ -10,8 +10,8 @@ namespace hvi::gen {
 
 namespace {
 
-/// The eigenvalues of a matrix, given row by row, the largest first. None where an entry is no
-/// finite number.
+/// Returns the eigenvalues of a matrix, given row by row, the largest first. Returns none where an
+/// entry is no finite number.
 std::vector<std::complex<double>> eigenvalues(const std::vector<double>& entries) {
     const bool is_finite = std::all_of(entries.begin(), entries.end(),
                                        [](double entry) { return std::isfinite(entry); });
@@ -25,14 +25,14 @@ std::vector<std::complex<double>> eigenvalues(const std::vector<double>& entries
     if (solver.info() != Eigen::Success) return {};
     std::vector<std::complex<double>> result(solver.eigenvalues().begin(),
                                              solver.eigenvalues().end());
-    // NOTE: conjugate ones have the same modulus, and stay side by side.
+    // NOTE: conjugate eigenvalues have equal moduli, and stay side by side.
     std::stable_sort(result.begin(), result.end(),
                      [](const auto& a, const auto& b) { return std::norm(a) > std::norm(b); });
     return result;
 }
 
-/// NOTE: no state of the event leaves its surface, so that one eigenvalue is 0: it belongs to
-/// directions that leave the surface at the start.
+/// NOTE: the derivative maps into the tangent space of the event's surface, so that one eigenvalue
+/// is 0. It belongs to directions that leave the surface at the start.
 void add_event(const Answers& answers, TangentFindings& found) {
     found.event_time = answers.numbers("event_time");
     found.event_state = answers.numbers("event_state");

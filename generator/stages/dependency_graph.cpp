@@ -7,10 +7,9 @@
 namespace hvi::gen {
 namespace {
 
-/// Tarjan's algorithm. A component is complete when all that it needs is, so that components come
-/// out in the order in which they can be computed. The depth of the recursion is at most the number
-/// of vertices: four for each of at most 64 stages and 64 degrees of
-/// freedom.
+/// Tarjan's algorithm. A component is complete when all components that it needs are, so that
+/// components come in an order in which they can be computed. The depth of the recursion is at most
+/// the number of vertices: four for each of at most 64 stages and 64 degrees of freedom.
 class Tarjan {
 public:
     explicit Tarjan(const DependencyGraph& needs)

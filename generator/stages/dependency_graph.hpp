@@ -1,4 +1,4 @@
-// Strongly connected components: what must be solved for at once, and in which order.
+// Strongly connected components: values that must be solved for together, and their order.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -7,11 +7,11 @@
 
 namespace hvi::gen {
 
-/// needs[v] lists what v depends on.
+/// The dependencies of vertices: needs[v] lists the vertices that v depends on.
 using DependencyGraph = std::vector<std::vector<std::size_t>>;
 
-/// The components, each after all that it depends on; members ascend. The order is a function of
-/// the graph alone.
+/// Returns the components, each after those that it depends on; members ascend. The order is a
+/// function of the graph alone.
 [[nodiscard]] std::vector<std::vector<std::size_t>> components(const DependencyGraph& needs);
 
 }  // namespace hvi::gen

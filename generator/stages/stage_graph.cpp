@@ -12,8 +12,8 @@ namespace {
 
 using StageKind = StageNode::Kind;
 
-/// The graph of all Q, P, Lq, Lp, numbered in this order; those of a kind by variable, then by
-/// stage.
+/// The graph of all Q, P, Lq, Lp, numbered in this order. Nodes of a kind are ordered by variable,
+/// then by stage.
 class StageGraph {
 public:
     explicit StageGraph(const StagePattern& pattern)
@@ -60,7 +60,7 @@ private:
         return kind == StageKind::Q || kind == StageKind::Lp ? positions_ : momenta_;
     }
 
-    /// Stage values of one variable that need slopes of it.
+    /// Adds stage values of one variable that need its slopes.
     void add(StageKind value, StageKind slope, std::size_t variable, const Pattern& pattern) {
         for (std::size_t i = 0; i < pattern.size(); ++i) {
             for (std::size_t j = 0; j < pattern[i].size(); ++j) {
@@ -70,7 +70,7 @@ private:
         }
     }
 
-    /// Slopes of the stages that need values there. NOTE: a Q and a P with one index are of one
+    /// Adds slopes that need values of their stage. NOTE: a Q and a P with one index belong to one
     /// stage wherever a slope needs both.
     void add(StageKind slope, StageKind value, const Pattern& pattern) {
         for (std::size_t k = 0; k < pattern.size(); ++k) {
@@ -105,7 +105,8 @@ std::vector<std::vector<StageNode>> groups_in_order(const StageGraph& graph) {
     return groups;
 }
 
-/// What the step depends on: the slopes that have a weight, and what these need.
+/// Returns the nodes that the step depends on: the slopes that have a weight, and the nodes that
+/// these need.
 std::vector<bool> used(const StageGraph& graph, const PartitionedMethod& method) {
     std::vector<bool> result(graph.needs().size());
     std::vector<std::size_t> open;

@@ -6,12 +6,12 @@
 
 namespace hvi::gen {
 
-/// What is computed in a step: a stage value, or a slope, Lq = h b dH/dp and Lp = -h b dH/dq.
+/// A value of a step: a stage value, or a slope, Lq = h b dH/dp and Lp = -h b dH/dq.
 struct StageNode {
     enum class Kind { Q, P, Lq, Lp };
     Kind kind;
-    std::size_t index;         ///< of the stage: of a Q for Q and Lp, of a P for P and Lq
-    std::size_t variable = 0;  ///< the degree of freedom, where they are told apart
+    std::size_t index;         ///< the stage of a Q for Q and Lp, of a P for P and Lq
+    std::size_t variable = 0;  ///< the degree of freedom, where they are distinguished
 
     friend bool operator==(const StageNode&, const StageNode&) = default;
 };

@@ -1,4 +1,4 @@
-// A bar that grows, for those who wait at a terminal.
+// A progress bar for users who wait at a terminal.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -6,8 +6,8 @@
 
 namespace hvi::gen {
 
-/// One line of standard error, which goes away at the end of its life; nothing where that is no
-/// terminal.
+/// A bar in one line of standard error. Its destructor removes it. Shows nothing where standard
+/// error is no terminal.
 class Bar {
 public:
     Bar();

@@ -51,7 +51,7 @@ public:
     [[nodiscard]] int writing() const { return ends_[1]; }
     void close_writing() { close(1); }
 
-    /// Adds what can be read to the text. False at the end of it.
+    /// Adds the readable bytes to the text. Returns false at the end of the pipe.
     [[nodiscard]] bool read_into(std::string& text) const {
         std::array<char, 4096> buffer;
         const ssize_t size = ::read(ends_[0], buffer.data(), buffer.size());
@@ -68,8 +68,8 @@ private:
     std::array<int, 2> ends_{-1, -1};
 };
 
-/// Where a program is. NOTE: posix_spawnp() would take relative names in PATH, and empty ones, from
-/// the directory that the program is to get, where anybody may have put something.
+/// Returns the path of a program. NOTE: posix_spawnp() would take relative names in PATH, and empty
+/// ones, from the program's future directory, where anybody may have put something.
 fs::path in_path(const std::string& name) {
     if (name.find('/') != std::string::npos) return name;
     const char* path = std::getenv("PATH");
@@ -84,7 +84,7 @@ fs::path in_path(const std::string& name) {
     cannot("start " + name, ENOENT);
 }
 
-/// What posix_spawn() is told of the new process.
+/// Settings of posix_spawn() for the new process.
 class Setup {
 public:
     Setup(const std::filesystem::path& directory, const Pipe& output, const Pipe& errors) {
@@ -94,8 +94,8 @@ public:
         posix_spawn_file_actions_adddup2(&actions_, output.writing(), STDOUT_FILENO);
         posix_spawn_file_actions_adddup2(&actions_, errors.writing(), STDERR_FILENO);
         posix_spawnattr_init(&attributes_);
-        // A group of its own, so that what it starts can be ended with it; signals as usual, which
-        // threads of this program hold back.
+        // NOTE: a group of its own, so that its children can be ended with it; signals as usual,
+        // which threads of this program hold back.
         posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGDEF |
                                                    POSIX_SPAWN_SETSIGMASK);
         sigset_t usual;
@@ -128,7 +128,8 @@ private:
     posix_spawnattr_t attributes_{};
 };
 
-/// A running process; ended, with those that it has started, where nobody waits for it.
+/// A running process. The destructor ends it, with the processes that it has started, if nobody
+/// waits for it.
 class Running {
 public:
     explicit Running(pid_t process) : process_(process) {}
@@ -184,12 +185,12 @@ private:
     void (*before_)(int) = SIG_ERR;
 };
 
-/// Reads the words of a child, and passes interruptions on to it.
+/// Reads the output of a child, and passes interruptions on to it.
 class Listener {
 public:
     Listener(const Running& child, WhenInterrupted end) : child_(child), end_(end) {}
 
-    /// Until both are closed at their other end.
+    /// Reads until both pipes are closed at their other end.
     void read_all(const Pipe& output, const Pipe& errors, ChildResult& result,
                   const std::function<void(std::string_view)>& on_line) {
         std::array<pollfd, 3> wanted{pollfd{output.reading(), POLLIN, 0},
@@ -230,7 +231,7 @@ private:
 
 namespace {
 
-/// What is said until the end of the child, and that.
+/// Returns the output of the child, and its end.
 ChildResult heard_out(Running child, Pipe& output, Pipe& errors,
                       const std::function<void(std::string_view)>& on_line,
                       WhenInterrupted end = WhenInterrupted::it_is_ended) {
@@ -243,7 +244,7 @@ ChildResult heard_out(Running child, Pipe& output, Pipe& errors,
     return result;
 }
 
-/// In a copy of this process: does what Setup says, then the work, and ends.
+/// Runs in a copy of this process: makes the settings of Setup, does the work, and exits.
 [[noreturn]] void work_in_copy(const std::function<int()>& work, const Pipe& output,
                                const Pipe& errors) {
     ::setpgid(0, 0);

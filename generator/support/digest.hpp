@@ -1,4 +1,4 @@
-// A number that tells a text from another one.
+// A number that identifies a text.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -7,8 +7,8 @@
 
 namespace hvi::gen {
 
-/// Sixteen hexadecimal digits, by FNV-1a. NOTE: it tells what is whole from what is damaged, and is
-/// no protection against who wants to deceive.
+/// Returns sixteen hexadecimal digits, by FNV-1a. NOTE: it detects damage, but is no protection
+/// against deceit.
 [[nodiscard]] std::string digest(std::string_view text);
 
 }  // namespace hvi::gen

@@ -11,13 +11,13 @@ namespace hvi::gen {
 
 namespace {
 
-constexpr std::size_t text_columns = 64;      ///< of the user's text around a caret
-constexpr std::size_t name_columns = 60;      ///< of the name of that text
-constexpr std::size_t wording_columns = 500;  ///< of `error:` and `help:`, which may quote the user
-constexpr std::size_t quoted_columns = 80;    ///< of a word in them, or of what is in backticks
+constexpr std::size_t text_columns = 64;      ///< the user's text around a caret
+constexpr std::size_t name_columns = 60;      ///< the name of that text
+constexpr std::size_t wording_columns = 500;  ///< `error:` and `help:`, which may quote the user
+constexpr std::size_t quoted_columns = 80;    ///< a word in them, or a text in backticks
 constexpr std::string_view cut_mark = "...";
 
-/// Bytes of the UTF-8 character that `text` starts with, or 0 when it starts with none.
+/// Returns the bytes of the UTF-8 character that `text` starts with, or 0 when it starts with none.
 std::size_t character_length(std::string_view text) {
     const auto lead = static_cast<unsigned char>(text.front());
     if (lead < 0x80) return 1;
@@ -31,9 +31,9 @@ std::size_t character_length(std::string_view text) {
     return whole ? length : 0;
 }
 
-/// What one column of the terminal shows for a character. Only what surely takes one column stays:
-/// ASCII, and Latin, Greek and Cyrillic letters. A terminal may act on anything else, or give it
-/// two columns or none, so that the caret below it would point elsewhere.
+/// Returns the character to show in one column of the terminal. Only characters that surely take
+/// one column are kept: ASCII, and Latin, Greek and Cyrillic letters. A terminal may act on
+/// anything else, or give it two columns or none, so that the caret below would point elsewhere.
 std::string_view glyph(std::string_view character) {
     const auto lead = static_cast<unsigned char>(character.front());
     if (character == "\t" || character == "\n" || character == "\r") return " ";
@@ -45,7 +45,7 @@ std::string_view glyph(std::string_view character) {
     return letter ? character : "?";
 }
 
-/// A text as a terminal shows it, column by column.
+/// A text in columns of a terminal.
 class Columns {
 public:
     explicit Columns(std::string_view text) {
@@ -60,7 +60,7 @@ public:
 
     [[nodiscard]] std::size_t size() const { return glyphs_.size(); }
 
-    /// The column of a byte of the text; size() for its end.
+    /// Returns the column of a byte of the text; size() for its end.
     [[nodiscard]] std::size_t of_byte(std::size_t byte) const {
         const auto after =
             std::upper_bound(begins_.begin(), begins_.end(), std::min(byte, begins_.back()));
@@ -78,7 +78,7 @@ private:
     std::vector<std::size_t> begins_;  ///< the byte at which each column starts, and the text's end
 };
 
-/// A long name without its middle: its end tells files of one directory apart.
+/// Shortens a long name in its middle: its end distinguishes files of one directory.
 std::string shown_quotation(std::string_view text) {
     constexpr std::size_t tail = quoted_columns / 4;
     const Columns columns(text);
@@ -88,7 +88,7 @@ std::string shown_quotation(std::string_view text) {
            columns.text(size - tail, size);
 }
 
-/// A text in which each word, and what stands in backticks, is of bounded length.
+/// Shortens each word, and each text in backticks.
 std::string with_short_quotations(std::string_view text) {
     std::string result;
     for (std::size_t begin = 0; begin < text.size();) {
@@ -103,7 +103,7 @@ std::string with_short_quotations(std::string_view text) {
     return result;
 }
 
-/// Wording on one line of bounded length.
+/// Returns wording on one line of bounded length.
 std::string wording(std::string_view whole) {
     const std::string text = with_short_quotations(whole);
     const Columns columns(text);
@@ -111,14 +111,16 @@ std::string wording(std::string_view whole) {
     return columns.text(0, wording_columns).append(cut_mark);
 }
 
-/// The name of a source. Of a long one the end stays, which tells files of one directory apart.
+/// Returns the name of a source. A long one keeps its end, which distinguishes files of one
+/// directory.
 std::string shown_name(std::string_view name) {
     const Columns columns(name);
     if (columns.size() <= name_columns) return columns.text(0, columns.size());
     return std::string(cut_mark) + columns.text(columns.size() - name_columns, columns.size());
 }
 
-/// The place within its line, where the text is lines of a file: `scene.toml:5` begins there.
+/// Returns the place within its line, for a text that is lines of a file, as `scene.toml:5` and the
+/// lines after it.
 Place in_its_line(const Place& place) {
     const auto& [name, text] = *place.source;
     const std::size_t digits = name.find_last_not_of("0123456789") + 1;
@@ -136,7 +138,7 @@ Place in_its_line(const Place& place) {
             {place.range.begin - begin, std::min(place.range.end, end) - begin}};
 }
 
-/// The line with the user's text and the line with the caret below it.
+/// Returns the line with the user's text and the line with the caret below it.
 std::string place_lines(const Place& whole) {
     const Place place = in_its_line(whole);
     const Columns columns(place.source->text);
@@ -172,7 +174,7 @@ Place whole(std::shared_ptr<const Source> source) {
     return {std::move(source), {0, size}};
 }
 
-/// NOTE: a place without a text is none.
+/// NOTE: a place without a text is dropped.
 Error::Error(ExitStatus status, std::string what, std::optional<Place> place, std::string help)
     : std::runtime_error(std::move(what)),
       status_(status),

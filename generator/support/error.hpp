@@ -1,4 +1,4 @@
-// Errors of hvi-gen: what went wrong, where in the user's text, and what would help.
+// Errors of hvi-gen: the fault, its place in the user's text, and help.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -26,26 +26,26 @@ struct Range {
     std::size_t end = 0;
 };
 
-/// A text that the user gave, with the name under which messages speak of it: `--basis`, or
-/// `method.toml:3` for what begins in line 3 of this file.
+/// A text that the user gave, with its name in messages: `--basis`, or `method.toml:3` for a text
+/// that begins in line 3 of this file.
 struct Source {
     std::string name;
     std::string text;
 };
 
-/// A range in a source: where a caret points.
+/// A range in a source, for carets.
 struct Place {
     std::shared_ptr<const Source> source;
     Range range;
 };
 
-/// What the user gave for an option, whose name is that of the source; null where nothing was
-/// given.
+/// The text that the user gave for an option. The source's name is the option; null where nothing
+/// was given.
 using Given = std::shared_ptr<const Source>;
 
 [[nodiscard]] Given given(std::string name, std::string text);
 
-/// All of a text that the user gave.
+/// Returns all of a text that the user gave.
 [[nodiscard]] Place whole(std::shared_ptr<const Source> source);
 
 /// Base of all errors that end the program with a message of the form
@@ -55,7 +55,7 @@ using Given = std::shared_ptr<const Source>;
 ///             ^~~~
 ///     help: WHAT WOULD HELP
 ///
-/// where the place and the help are there only when they are known.
+/// The place and the help are optional.
 class Error : public std::runtime_error {
 public:
     Error(ExitStatus status, std::string what, std::optional<Place> place, std::string help);
@@ -88,7 +88,7 @@ public:
     explicit EnvironmentError(std::string what, std::string help = {});
 };
 
-/// The user wants no more of it (status 130).
+/// The user has interrupted the program (status 130).
 class Interruption : public Error {
 public:
     Interruption();
@@ -100,8 +100,8 @@ public:
     explicit InternalError(std::string what);
 };
 
-/// The error as the user sees it, ending in a newline. Long lines are cut to a window around the
-/// place, and bytes that a terminal would act on are shown as '?'.
+/// Returns the error as the user sees it, ending in a newline. Long lines are cut to a window
+/// around the place, and bytes that a terminal would act on are shown as '?'.
 [[nodiscard]] std::string message(const Error& error);
 
 [[noreturn]] void check_failed(const char* condition, const char* file, int line);

@@ -56,8 +56,8 @@ bool write_all(int descriptor, std::string_view text) {
     return true;
 }
 
-/// A new file beside a target of this name. NOTE: not mkstemp, whose files are private: this one
-/// gets the permissions that any new file of the user gets.
+/// Opens a new file beside a target of this name. NOTE: not with mkstemp, whose files are private:
+/// this one gets the permissions of any new file of the user.
 std::pair<fs::path, int> open_new_file(const fs::path& directory, const std::string& target) {
     for (int attempt = 0;; ++attempt) {
         const fs::path path = directory / (".hvi-gen-" + std::to_string(::getpid()) + "-" +
@@ -85,7 +85,7 @@ private:
     sigset_t before_{};
 };
 
-/// A new file in the directory, removed at the end of its life unless renamed.
+/// A new file in the directory. The destructor removes it unless it is renamed.
 class TemporaryFile {
 public:
     TemporaryFile(const fs::path& directory, const std::string& target) {
@@ -120,7 +120,7 @@ void replace_file(const fs::path& target, std::optional<mode_t> mode, std::strin
     if (!written) cannot_write(target.string(), errno);
 }
 
-/// A device or a pipe is written to as it stands: it must not be replaced by a file.
+/// Writes into a device or a pipe, which must not be replaced by a file.
 void write_into(const fs::path& target, std::string_view text) {
     Descriptor file(::open(target.c_str(), O_WRONLY | O_CLOEXEC));
     if (file.number() < 0 || !write_all(file.number(), text) || !file.close())
@@ -132,14 +132,14 @@ void write_into(const fs::path& target, std::string_view text) {
 void write_file(const fs::path& path, std::string_view text) {
     std::error_code unresolved;
     const fs::path resolved = fs::canonical(path, unresolved);
-    const fs::path target = unresolved ? path : resolved;  // a link stays, what it names is written
+    const fs::path target = unresolved ? path : resolved;  // a link stays, its target is replaced
 
     struct stat old {};
     if (::stat(target.c_str(), &old) != 0) return replace_file(target, {}, text);
     if (S_ISDIR(old.st_mode)) cannot_write(path.string(), EISDIR, "-o takes the name of a file");
     if (!S_ISREG(old.st_mode)) return write_into(target, text);
     if (::access(target.c_str(), W_OK) != 0) cannot_write(path.string(), errno);
-    // NOTE: without the bits that have a program run as its owner, who may have become another.
+    // NOTE: drops the bits that make a program run as its owner, who may have changed.
     replace_file(target, old.st_mode & 0777U, text);
 }
 

@@ -8,7 +8,7 @@ namespace hvi::gen {
 
 namespace {
 
-/// `12 s`, `3 min`, `2.5 h`
+/// Returns `12 s`, `3 min`, `2.5 h`.
 std::string in_words(double seconds) {
     char text[64];
     if (seconds < 100)

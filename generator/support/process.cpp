@@ -19,7 +19,7 @@ namespace {
 
 // Both ends of a pipe, in which a byte stands for an interruption; -1 while none are held.
 std::array<std::atomic<int>, 2> held{-1, -1};
-std::atomic<bool> seen = false;  // a byte is there
+std::atomic<bool> seen = false;  // a byte is in the pipe
 static_assert(std::atomic<int>::is_always_lock_free &&
               std::atomic<bool>::is_always_lock_free);  // as a signal's handler needs it
 
@@ -33,16 +33,16 @@ void interrupt(int) {
 }  // namespace
 
 void set_up_process() {
-    // NOTE: opened the wrong way round, so that writing to a closed standard output still fails.
+    // NOTE: opened in the wrong direction, so that writing to a closed standard output still fails.
     for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
         if (::fcntl(stream, F_GETFD) < 0)
             (void)::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
     }
-    // What these would end the program for is an error of the call that brings it about; so it is
-    // in programs that this one starts, which are told only to die of SIGPIPE again.
+    // NOTE: the calls that would raise these signals return an error instead. Programs that this
+    // one starts inherit this; only SIGPIPE ends them again.
     for (const int signal : {SIGPIPE, SIGXFSZ}) std::signal(signal, SIG_IGN);
     for (const int signal : {SIGINT, SIGQUIT, SIGTERM}) std::signal(signal, interrupt);
-    // NOTE: it stays ignored where it is, as nohup has it.
+    // NOTE: where SIGHUP was ignored it stays so, as nohup wants it.
     if (std::signal(SIGHUP, interrupt) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);
 }
 

@@ -45,7 +45,7 @@ void Progress::watch() {
             std::chrono::duration_cast<std::chrono::seconds>(next - start_).count();
         const std::string line = "hvi-gen: " + std::string(current_stage.load()) + " (" +
                                  std::to_string(seconds) + " s)\n";
-        // One write, so that the line is not mixed with others; if nobody can read it, so be it.
+        // NOTE: one write, so that the line is not mixed with others; a failure is ignored.
         (void)!::write(STDERR_FILENO, line.data(), line.size());
     }
 }

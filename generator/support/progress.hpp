@@ -1,4 +1,4 @@
-// A word on standard error when something takes long.
+// Messages on standard error about long computations.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -9,8 +9,8 @@
 
 namespace hvi::gen {
 
-/// While it lives, a line on standard error tells every few seconds what the program is at. What
-/// ends within two seconds is never spoken of.
+/// Reports the present stage of the program on standard error every few seconds while it lives.
+/// Stages that end within two seconds are not reported.
 class Progress {
 public:
     Progress();
@@ -18,8 +18,8 @@ public:
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
 
-    /// What is being done in this scope: `const Progress::Stage stage("inverting M");`. Stages
-    /// nest. Announcing one costs an exchange of a pointer, and needs no Progress to be there.
+    /// Names the work of a scope: `const Progress::Stage stage("inverting M");`. Stages nest. A
+    /// Stage costs an exchange of a pointer, and works without a Progress.
     class Stage {
     public:
         /// `text` is a literal: it must outlive the program's last line.

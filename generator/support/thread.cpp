@@ -12,7 +12,7 @@ namespace hvi::gen {
 
 namespace {
 
-/// All signals wait, until the end of it, for threads that do not hold them back.
+/// Blocks all signals while it lives; they wait for threads that do not block them.
 class SignalsBlocked {
 public:
     SignalsBlocked() {
@@ -49,7 +49,8 @@ void exit_with(const std::function<int()>& run) {
     const auto start = [](void* given) -> void* {
         const Work& of_thread = *static_cast<Work*>(given);
         pthread_sigmask(SIG_SETMASK, &of_thread.signals, nullptr);
-        // NOTE: it exits here, so that what libraries keep for each thread is there until the end.
+        // NOTE: exits here, so that the data that libraries keep for each thread live until the
+        // end.
         std::exit(of_thread.run());
     };
     pthread_attr_t attributes;

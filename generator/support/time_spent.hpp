@@ -1,4 +1,4 @@
-// Where the time goes.
+// The run time of parts of a program.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -9,7 +9,7 @@
 
 namespace hvi::gen {
 
-/// Seconds of wall time, by what they were spent on, in the order in which that came first.
+/// Seconds of wall time by their use, in the order of first use.
 class TimeSpent {
 public:
     /// Counts while it lives.

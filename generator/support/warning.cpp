@@ -18,7 +18,7 @@ void warn(const std::string& what, const std::string& help) {
     static std::set<std::string> said;
     const std::lock_guard lock(saying);
     if (!said.insert(text).second) return;
-    // One write, so that it is not mixed with others; if nobody can read it, so be it.
+    // NOTE: one write, so that it is not mixed with others; a failure is ignored.
     (void)!::write(STDERR_FILENO, text.data(), text.size());
 }
 

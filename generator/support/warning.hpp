@@ -1,4 +1,4 @@
-// A word on standard error about what does not end the program.
+// Warnings on standard error, which do not end the program.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -6,8 +6,8 @@
 
 namespace hvi::gen {
 
-/// Prints `warning: WHAT` and `help: WHAT WOULD HELP`, shown as errors are, the first time that it
-/// is called with these words. Several threads may call it.
+/// Prints `warning: WHAT` and `help: WHAT WOULD HELP`, shown as errors are, unless they were
+/// printed before. Several threads may call it.
 void warn(const std::string& what, const std::string& help = {});
 
 }  // namespace hvi::gen

@@ -1,14 +1,14 @@
-// How much work a computation may take, and whether anybody still waits for it.
+// Limits on the work of a computation, and its interruption.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
 namespace hvi::gen {
 
-/// Thrown by spend_work() beyond a limit, for whoever set it.
+/// Thrown by spend_work() beyond a limit, to the function that set it.
 struct WorkLimitReached {};
 
-/// While it lives, this thread may spend so much work. NOTE: a limit is never in seconds, so that
-/// one input has one output on all machines.
+/// Limits the work that this thread may spend while it lives. NOTE: a limit is never in seconds, so
+/// that one input has one output on all machines.
 class WorkLimit {
 public:
     /// Precondition: this thread has no limit yet.
@@ -18,12 +18,12 @@ public:
     WorkLimit& operator=(const WorkLimit&) = delete;
 };
 
-/// Work that takes a second, or some seconds, on the machines of these years.
+/// Work that takes a second, or some seconds, on present machines.
 constexpr double work_of_a_second = 1e6;
 
-/// Said in the inner loops of exact computations: so many units are being done, of which one is an
-/// operation on a term of a sum, in a microsecond or less. Throws WorkLimitReached where that is
-/// more than a WorkLimit allows for, and Interruption where one is held and nobody waits any more.
+/// Counts units of work; the inner loops of exact computations call it. A unit is an operation on a
+/// term of a sum, which takes a microsecond or less. Throws WorkLimitReached beyond the limit of a
+/// WorkLimit, and Interruption where one is held.
 void spend_work(double units = 1);
 
 }  // namespace hvi::gen

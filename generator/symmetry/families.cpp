@@ -16,15 +16,15 @@ namespace hvi::gen {
 
 namespace {
 
-/// Summands with the same loops, as functions of symbols that are called as elements are written.
+/// Summands with equal loops, as functions of symbols whose names are the elements' text.
 struct Group {
     std::vector<Loop> loops;
     std::vector<Expression> values;
     std::vector<std::size_t> accesses;
-    std::map<std::string, Expression> elements;  ///< that the symbols stand for
+    std::map<std::string, Expression> elements;  ///< the elements that the symbols stand for
 };
 
-/// The names of loops in the order of another nest.
+/// Names of the loops of one nest, by their names in another.
 using IndexNames = std::map<std::string, std::string>;
 
 AffineForm renamed(AffineForm form, const IndexNames& names) {
@@ -36,7 +36,7 @@ AffineForm renamed(AffineForm form, const IndexNames& names) {
     return result;
 }
 
-/// How the indices of one nest are called in another with the same ranges.
+/// Returns new names for the indices of one nest: those of another nest with equal ranges.
 std::optional<IndexNames> renaming(const std::vector<Loop>& from, const std::vector<Loop>& to) {
     if (from.size() != to.size()) return {};
     IndexNames names;
@@ -62,7 +62,7 @@ std::vector<Expression> indices_of(const Access& access, const IndexNames& names
     return indices;
 }
 
-/// `i,j`.
+/// Returns the place of an access, `i,j`.
 std::string place_of(const Access& access, const IndexNames& names) {
     std::string text;
     for (const Expression& index : indices_of(access, names))
@@ -70,7 +70,7 @@ std::string place_of(const Access& access, const IndexNames& names) {
     return text;
 }
 
-/// An element; a family without indices is one.
+/// Returns an element; a family without indices is a single symbol.
 Expression element_of(const std::string& family, std::vector<Expression> indices) {
     if (indices.empty()) return Expression::symbol(family);
     return Expression::element(family, std::move(indices));
@@ -81,7 +81,7 @@ bool has_element(const Expression& expression) {
            std::any_of(expression.arguments.begin(), expression.arguments.end(), has_element);
 }
 
-/// The scene with steps of the time: symmetries are those of its own H.
+/// Returns the scene with steps of time: symmetries are those of its own H.
 Scene in_time(Scene scene) {
     scene.scale.reset();
     return scene;
@@ -121,7 +121,8 @@ public:
                              "what is computed exactly");
         std::vector<FamilySummand> summands;
         for (const Group& group : groups_) summands.push_back(summand(group));
-        // NOTE: what keeps each total and each summand keeps H; that of a total is no mass.
+        // NOTE: a field that keeps each total and each summand keeps H; a total's summand is no
+        // mass.
         for (const SystemTotal& total : totals_)
             for (const Group& group : groups_of(total.sums)) {
                 summands.push_back(summand(group));
@@ -141,7 +142,8 @@ public:
     }
 
 private:
-    /// Those with the same loops, by whatever names. A value that is too long is left out.
+    /// Groups summands with equal loops, up to the names of indices. A value that is too long is
+    /// left out.
     [[nodiscard]] std::vector<Group> groups_of(const std::vector<SystemSum>& sums) const {
         std::vector<Group> groups;
         for (const SystemSum& sum : sums) {
@@ -180,14 +182,14 @@ private:
                });
     }
 
-    /// How the indices of all sums of H with these loops are called in them.
+    /// Returns the names of all indices of H's sums in these loops.
     [[nodiscard]] IndexNames names_in(const std::vector<Loop>& loops) const {
         IndexNames names = names_in(system_.sums, loops);
         for (const SystemTotal& total : totals_) names.merge(names_in(total.sums, loops));
         return names;
     }
 
-    /// The loops over all elements of a family.
+    /// Returns the loops over all elements of a family.
     [[nodiscard]] std::vector<Loop> nest_of(const SystemFamily& family) const {
         for (const Group& group : groups_)
             if (covers(group.loops, family)) return group.loops;
@@ -213,7 +215,7 @@ private:
         return true;
     }
 
-    /// Of the nest, `i,j`.
+    /// Returns the place `i,j` of a nest.
     [[nodiscard]] static std::string place_of(const std::vector<Loop>& loops) {
         std::string text;
         for (const Loop& loop : loops) text += (text.empty() ? "" : ",") + loop.index;
@@ -260,7 +262,7 @@ private:
     [[nodiscard]] Expression q(std::size_t f) const { return element(system_.coordinates[f], f); }
     [[nodiscard]] Expression p(std::size_t f) const { return element(system_.conjugates[f], f); }
 
-    /// Over all elements of a family.
+    /// Sums a term over all elements of a family.
     [[nodiscard]] Expression summed(Expression term, std::size_t family) const {
         const std::vector<Loop>& loops = nests_[family];
         for (auto loop = loops.rbegin(); loop != loops.rend(); ++loop)
@@ -269,7 +271,7 @@ private:
         return term;
     }
 
-    /// value * a * b, with the sign in front.
+    /// Returns value * a * b, with the sign in front.
     [[nodiscard]] static Expression term(const Expression& value, std::vector<Expression> factors) {
         const bool negative = value.kind == Expression::Kind::negation;
         const Expression& size = negative ? value.arguments[0] : value;
@@ -278,7 +280,7 @@ private:
         return negative ? Expression::negation(std::move(result)) : result;
     }
 
-    /// p xi of the families of one shape, at one place.
+    /// Returns p xi of the families of one shape, at one place.
     [[nodiscard]] Expression local_map(const FamilyField& field, std::size_t shape) const {
         std::vector<Expression> positive, negative;
         for (const FamilyField::Entry& entry : field.entries) {
@@ -303,7 +305,7 @@ private:
     static void add(SceneSymmetries& result, AffineSymmetry symmetry) {
         ConservedQuantity& map = result.momentum_maps.emplace_back();
         map.kind = ConservedQuantity::Kind::momentum_map;
-        map.name = "momentum_map_" + std::to_string(result.momentum_maps.size());
+        map.name = "J" + std::to_string(result.momentum_maps.size());
         map.expression = symmetry.momentum_map;
         map.finding.conserved = Vanishing::proved;
         map.finding.bracket = Expression::integer(0);
@@ -328,8 +330,9 @@ private:
         add(result, std::move(symmetry));
     }
 
-    /// Where two families may be translated and move as the sum of p^2/(2 m) says, with equal m:
-    /// the sums of p stay, and those of m q grow as they say.
+    /// Adds turns of the centre of mass: for two families that may be translated, and whose part of
+    /// H is the sum of p^2/(2 m) with equal m. Then the sums of p are constant, and the sums of m q
+    /// grow linearly in time.
     void add_turned_centres(SceneSymmetries& result, const FamilySymmetries& found) const {
         std::vector<std::size_t> translated;
         for (const FamilyField& field : found.fields)
@@ -361,7 +364,7 @@ private:
         return symmetry;
     }
 
-    /// Symbols that are called as elements are written become these.
+    /// Replaces symbols, whose names are the elements' text, by these elements.
     [[nodiscard]] FamilySymmetries with_elements(FamilySymmetries found) const {
         std::map<std::string, Expression> elements;
         for (const Group& group : groups_)
@@ -374,7 +377,7 @@ private:
         return found;
     }
 
-    /// As symbols, which are called as elements are written.
+    /// Replaces elements by symbols, whose names are the elements' text.
     [[nodiscard]] static Expression with_symbols(const Expression& expression) {
         if (expression.kind == Expression::Kind::element)
             return Expression::symbol(to_text(expression));
@@ -384,7 +387,7 @@ private:
         return with_arguments(expression, std::move(arguments));
     }
 
-    /// An invariant that is one sum over all elements of families: what it sums up.
+    /// An invariant that is one sum over all elements of families.
     struct SummedUp {
         std::size_t shape;
         Expression function;
@@ -415,7 +418,7 @@ private:
         return {};
     }
 
-    /// Elements at one place.
+    /// Returns the elements at one place.
     [[nodiscard]] std::vector<std::string> variables_of(std::size_t shape) const {
         std::vector<std::string> names;
         for (std::size_t f = 0; f < shapes_.size(); ++f) {
@@ -426,7 +429,7 @@ private:
         return names;
     }
 
-    /// What momentum maps sum up, of one shape.
+    /// Returns the summands of momentum maps, for one shape.
     [[nodiscard]] std::vector<Expression> maps_of(const std::vector<FamilyField>& fields,
                                                   std::size_t shape) const {
         std::vector<Expression> maps;
@@ -436,8 +439,9 @@ private:
         return maps;
     }
 
-    /// NOTE: turned centres of mass, which come behind the fields, are products of sums: no
-    /// invariant is compared with them, so that none says them.
+    /// Marks momentum maps that invariants tell already. NOTE: turned centres of mass, which follow
+    /// the fields, are products of sums. No invariant is compared with them, so that they are not
+    /// marked.
     void set_said(SceneSymmetries& result, const std::vector<FamilyField>& fields,
                   const std::vector<SummedUp>& invariants) const {
         for (std::size_t k = 0; k < fields.size(); ++k) {
@@ -479,7 +483,7 @@ private:
         set_said(result, fields, all);
     }
 
-    /// How the indices of all sums with these loops are called in them.
+    /// Returns the names of all indices of `sums` in these loops.
     [[nodiscard]] static IndexNames names_in(const std::vector<SystemSum>& sums,
                                              const std::vector<Loop>& loops) {
         IndexNames names;
@@ -492,9 +496,9 @@ private:
     const Scene& scene_;
     System system_;
     std::vector<Group> groups_;
-    std::vector<SystemTotal> totals_;       ///< that H is made of
-    std::vector<std::size_t> shapes_;       ///< of each family, the first one with its ranges
-    std::vector<std::vector<Loop>> nests_;  ///< over all elements of each family
+    std::vector<SystemTotal> totals_;       ///< totals that H is made of
+    std::vector<std::size_t> shapes_;       ///< for each family, the first one with its ranges
+    std::vector<std::vector<Loop>> nests_;  ///< loops over all elements of each family
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// The symmetries of scenes whose sums stay sums.
+// Symmetries of scenes whose sums stay sums.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -7,9 +7,10 @@
 
 namespace hvi::gen {
 
-/// For any sizes: what moves all elements of families alike and leaves each summand as it is, and
-/// turns of the centre of mass. There may be more of them. An invariant is seen to be conserved
-/// where it is made of these momentum maps. Throws as system_of() and Algebra do.
+/// Finds symmetries for all sizes: fields that move all elements of families alike and leave each
+/// summand unchanged, and turns of the centre of mass. There may be more of them. An invariant is
+/// seen to be conserved where it is a combination of these momentum maps. Throws as system_of() and
+/// Algebra do.
 [[nodiscard]] SceneSymmetries symmetries_of_families(const Scene& scene);
 
 }  // namespace hvi::gen

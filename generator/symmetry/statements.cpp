@@ -11,13 +11,14 @@ namespace hvi::gen {
 
 namespace {
 
-/// In natural charts, of rotating bodies: why a method keeps it; empty where it need not.
+/// Returns why a method in natural charts of rotating bodies keeps a quantity; empty where it need
+/// not.
 std::string reason_of_bodies(const QuantityFinding& finding, const KeepingFacts& method) {
     if (!finding.is_momentum_map || !method.symplectic.holds) return "";
     return "the action commutes with natural charts, and the method is symplectic";
 }
 
-/// Why a method keeps it; empty where it need not.
+/// Returns why a method keeps a quantity; empty where it need not.
 std::string reason_to_keep(const QuantityFinding& finding, const KeepingFacts& method) {
     const auto& quadratic = finding.quadratic;
     if (finding.is_momentum_map && method.symplectic.holds)
@@ -31,7 +32,7 @@ std::string reason_to_keep(const QuantityFinding& finding, const KeepingFacts& m
     return "";
 }
 
-/// Why it need not be kept.
+/// Returns why a method need not keep a quantity.
 std::string reason_not_to(const QuantityFinding& finding, const KeepingFacts& method) {
     if (!finding.quadratic) return "not quadratic in q and p";
     if (method.is_general_form) return "no momentum map of an affine action";
@@ -65,7 +66,7 @@ Statement statement(const ConservedQuantity& quantity, const KeepingFacts& metho
     return result;
 }
 
-/// Where all that it is made of is kept, so is it.
+/// Marks a quantity as kept where all its parts are kept.
 void look_at_parts(std::vector<Statement>& all, std::size_t number,
                    const std::vector<std::size_t>& parts) {
     Statement& whole = all[number];

@@ -1,4 +1,4 @@
-// What a method keeps of what a scene conserves, and why.
+// Statements on which conserved quantities of a scene a method keeps, and why.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -11,7 +11,7 @@
 
 namespace hvi::gen {
 
-/// What of a method decides it. A composition has what its method has.
+/// Facts of a method that decide the statements. A composition has the facts of its method.
 struct KeepingFacts {
     Verdict symplectic;
     Verdict common_weights;  ///< b == b~
@@ -21,11 +21,11 @@ struct KeepingFacts {
 [[nodiscard]] KeepingFacts keeping_facts(const DerivedMethod& method);
 
 enum class Keeping {
-    kept,            ///< by each step, but for rounding and what the solver leaves
-    not_in_general,  ///< nothing is known that would keep it
-    measured,        ///< the momentum map of a symmetry that is not affine: see what a run says
-    not_conserved,   ///< the exact motion does not at all energies; it may at some
-    unknown,         ///< whether the motion does is not known
+    kept,            ///< by each step, up to rounding and the solver's tolerance
+    not_in_general,  ///< no known property of the method would keep it
+    measured,        ///< the momentum map of a symmetry that is not affine: runs measure it
+    not_conserved,   ///< the exact motion does not conserve it at all energies; it may at some
+    unknown,         ///< whether the motion conserves it is not known
 };
 
 struct Statement {
@@ -35,19 +35,20 @@ struct Statement {
     std::string reason;
 };
 
-/// Of momentum maps, invariants, those of [symmetries] and the energy, in this order:
+/// Returns statements on momentum maps, invariants, those of [symmetries] and the energy, in this
+/// order:
 ///
 /// - a momentum map p (C q + d) is kept, as the action is affine and the discrete curve
-/// interpolates
-///   in a vector space (Leok & Zhang, Theorem 5.3 and Lemma 5.4); of a tableau by its coefficients;
-/// - q^T C p and what is linear, by symplectic partitioned methods with b = b~, and every quadratic
-///   function by those with A = A~ (Hairer, Lubich & Wanner, Geometric Numerical Integration,
-///   Theorems IV.2.2 and IV.2.4);
-/// - with p^T S p and q^T R q by all of them where S H_q = 0 and R H_p = 0: the sums over stages
-///   that change these have such factors;
-/// - a polynomial in what is kept;
-/// - with rotations, momentum maps alone: natural charts commute with rotations of space and of the
-///   body (Lemma 5.5).
+///   interpolates in a vector space (Leok & Zhang, Theorem 5.3 and Lemma 5.4); for a tableau it
+///   follows from the coefficients;
+/// - q^T C p and linear functions are kept by symplectic partitioned methods with b = b~, and every
+///   quadratic function by those with A = A~ (Hairer, Lubich & Wanner, Geometric Numerical
+///   Integration, Theorems IV.2.2 and IV.2.4);
+/// - with p^T S p and q^T R q as well, all of these methods keep it where S H_q = 0 and R H_p = 0:
+///   the sums over stages that change these terms have such factors;
+/// - a polynomial in kept quantities is kept;
+/// - with rotations, momentum maps alone are kept: natural charts commute with rotations of space
+///   and of the body (Lemma 5.5).
 [[nodiscard]] std::vector<Statement> statements(const SceneSymmetries& found,
                                                 const KeepingFacts& method);
 

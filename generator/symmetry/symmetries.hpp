@@ -1,4 +1,4 @@
-// The symmetries of a scene, and what it says to be conserved.
+// The symmetries of a scene, and the quantities that it claims to be conserved.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -18,29 +18,29 @@ struct ConservedQuantity {
     enum class Kind { momentum_map, invariant, field, energy };
 
     Kind kind = Kind::invariant;
-    std::string name;             ///< `momentum_map_1`, that of the scene, or `energy`
+    std::string name;             ///< `J1`, the scene's name for it, or `energy`
     Expression expression;        ///< in the scene's variables
-    QuantityFinding finding;      ///< of it as a function of q and p
-    Place place;                  ///< of an invariant, or of the name of a field
+    QuantityFinding finding;      ///< findings for it as a function of q and p
+    Place place;                  ///< the place of an invariant, or of a field's name
     bool is_said = false;         ///< a momentum map that invariants of the scene tell already
     bool is_approximate = false;  ///< an invariant that need not be conserved
 };
 
-/// `{C, H} = p^3-p is not zero as a function of q and p`. NOTE: on one energy it still may be.
-/// Precondition: that it vanishes is refuted.
+/// Returns `{C, H} = p^3-p is not zero as a function of q and p`. NOTE: on one energy it still may
+/// be zero. Precondition: it is refuted that the bracket vanishes.
 [[nodiscard]] std::string not_zero(const ConservedQuantity& quantity);
 constexpr const char* help_for_not_zero =
     "where that is meant so, write {value = \"...\", approximate = true}";
 
-/// What is found out about a scene.
+/// The symmetries of a scene.
 struct SceneSymmetries {
-    std::string name;  ///< of the scene, or what the command line has for it
+    std::string name;  ///< the scene's name, or its words on the command line
     Side side = Side::hamiltonian;
     std::vector<std::string>
         coordinates;  ///< or families of them, `x[i]`; entries of rotations too
     std::size_t degrees_of_freedom = 0;
     std::size_t rotations = 0;
-    std::optional<std::size_t> rank;  ///< of d2H/dp2, or of d2L/dv2; empty where it is not known
+    std::optional<std::size_t> rank;  ///< rank of d2H/dp2 or d2L/dv2, if known
     bool depends_on_time = false;
     AffineSymmetries affine;
     std::vector<ConservedQuantity> momentum_maps;  ///< in the order of the affine symmetries
@@ -51,11 +51,12 @@ struct SceneSymmetries {
     [[nodiscard]] bool is_regular() const { return rank == degrees_of_freedom; }
 };
 
-/// Degrees of freedom of a scene without loops whose symmetries are looked for.
+/// The most degrees of freedom for which symmetries of a scene without loops are sought.
 constexpr std::size_t most_degrees_of_symmetries = 64;
 
-/// By exact algebra, for the values that the scene's parameters have; of families as wholes where
-/// sums stay loops. Throws as symmetries_of() and symmetries_of_families() do.
+/// Finds symmetries by exact algebra, for the values of the scene's parameters. Where sums stay
+/// loops, it finds symmetries of whole families. Throws as symmetries_of() and
+/// symmetries_of_families() do.
 [[nodiscard]] SceneSymmetries find_symmetries(const Scene& scene, const UnrollWish& wish = {});
 
 }  // namespace hvi::gen

@@ -17,10 +17,10 @@ namespace hvi::gen {
 namespace {
 
 constexpr std::size_t most_searched = 24;         ///< degrees of freedom
-constexpr std::size_t most_beside_rotations = 3;  ///< coordinates: of two bodies it takes seconds
+constexpr std::size_t most_beside_rotations = 3;  ///< coordinates: two bodies take seconds
 constexpr std::size_t most_added = 16;
 
-/// Whether it is a single momentum, which a table of a run has anyway.
+/// Whether a momentum map is a single momentum, which the table of a run has anyway.
 bool is_momentum(const SceneSymmetries& found, std::size_t number) {
     const std::vector<Expression>& generator = found.affine.basis[number].generator;
     const Expression zero = Expression::integer(0);
@@ -53,10 +53,12 @@ bool has_name(const Scene& scene, const std::string& name) {
     return std::any_of(scene.invariants.begin(), scene.invariants.end(), is_it) ||
            std::any_of(scene.parameters.begin(), scene.parameters.end(), is_it) ||
            std::any_of(scene.definitions.begin(), scene.definitions.end(), is_it) ||
-           has_variable(scene.coordinates) || has_variable(scene.conjugates);
+           std::any_of(scene.own.functions.begin(), scene.own.functions.end(), is_it) ||
+           has_variable(scene.coordinates) || has_variable(scene.conjugates) ||
+           has_variable(scene.rotations) || has_variable(scene.angular_momenta);
 }
 
-/// The expression with elements for symbols with an index: x[3].
+/// Replaces symbols with an index by elements: x[3].
 Expression with_elements(const Expression& expression) {
     if (expression.kind == Expression::Kind::symbol && is_indexed_name(expression.name)) {
         std::vector<Expression> indices;
@@ -77,18 +79,18 @@ void add(Scene& scene, const ConservedQuantity& quantity) {
         {quantity.name, {with_elements(quantity.expression), source}, place, place});
 }
 
-/// Adds what is said by nothing else, with names of their own.
+/// Adds the momentum maps that no invariant tells, under the names that `symmetries` shows.
 void add_momentum_maps(Scene& scene, SceneSymmetries& found) {
     std::size_t added = 0;
     for (ConservedQuantity& map : found.momentum_maps) {
         if (map.is_said || added == most_added) continue;
-        map.name = "momentum_map_" + std::to_string(++added);
+        ++added;
         while (has_name(scene, map.name)) map.name += "_";
         add(scene, map);
     }
 }
 
-/// NOTE: a field and an invariant of one name would be one thing said twice.
+/// NOTE: a field and an invariant with one name would be one quantity told twice.
 void add_fields(Scene& scene, const SceneSymmetries& found) {
     for (const ConservedQuantity& field : found.fields) add(scene, field);
     scene.fields.clear();
@@ -104,7 +106,8 @@ void warn_of(const ConservedQuantity& invariant) {
         warn("the invariant `" + invariant.name + "`: " + not_zero(invariant), help_for_not_zero);
 }
 
-/// What is done with the work that a run has for it; empty where that is not enough.
+/// Returns the result of `find` within the work that a run has for it; empty where that is not
+/// enough.
 template <class Find>
 auto within_a_second(Find find) -> std::optional<decltype(find())> {
     const WorkLimit limit(work_of_a_second);
@@ -121,7 +124,7 @@ Watched look(Scene& scene, Find find) {
         result.found = within_a_second(find);
     } catch (const NoLoops&) {
         throw;
-    } catch (const InputError&) {  // of functions of the user's own nothing is known
+    } catch (const InputError&) {  // nothing is known of functions of the user's own
         return result;
     } catch (const MathError&) { return result; }
     if (!result.found) {

@@ -19,10 +19,10 @@ namespace hvi::gen {
 
 namespace {
 
-/// Beyond, the mass matrix of a Lagrangian is not inverted.
+/// The largest mass matrix of a Lagrangian that is inverted.
 constexpr std::size_t most_inverted = 3;
 
-/// With the values of all parameters that the scene has.
+/// Gives a Hamiltonian or Lagrangian the values of all parameters of the scene.
 template <class Mechanics>
 Mechanics with_values(Mechanics mechanics, const WrittenOutScene& scene) {
     mechanics.parameters.clear();
@@ -45,13 +45,13 @@ Expression put_in(const Expression& expression, const Meanings& meanings) {
     return with_arguments(expression, std::move(arguments));
 }
 
-/// What a scene is in q and p.
+/// A scene in q and p.
 struct OfMomenta {
     Hamiltonian hamiltonian;
-    Meanings velocities;  ///< of a Lagrangian, as dH/dp
+    Meanings velocities;  ///< velocities of a Lagrangian, as dH/dp
 };
 
-/// Nothing where the H of a Lagrangian is too long to be asked for, or is not known.
+/// Returns nothing where the H of a Lagrangian is not known, or would be too long.
 std::optional<OfMomenta> of_momenta(const WrittenOutScene& scene) {
     if (const auto* hamiltonian = std::get_if<Hamiltonian>(&scene.mechanics))
         return OfMomenta{with_values(*hamiltonian, scene), {}};
@@ -71,7 +71,7 @@ std::optional<OfMomenta> of_momenta(const WrittenOutScene& scene) {
     } catch (const MathError&) { return {}; }
 }
 
-/// p (C q + d), whose bracket with H vanishes as H does not change along it.
+/// Returns the finding for p (C q + d): its bracket with H vanishes as H does not change along it.
 QuantityFinding of_momentum_map(const AffineSymmetry& symmetry) {
     QuantityFinding finding;
     finding.conserved = Vanishing::proved;
@@ -91,13 +91,13 @@ void set_momentum_maps(SceneSymmetries& result) {
     for (const AffineSymmetry& symmetry : result.affine.basis) {
         ConservedQuantity& map = result.momentum_maps.emplace_back();
         map.kind = ConservedQuantity::Kind::momentum_map;
-        map.name = "momentum_map_" + std::to_string(result.momentum_maps.size());
+        map.name = "J" + std::to_string(result.momentum_maps.size());
         map.expression = symmetry.momentum_map;
         map.finding = of_momentum_map(symmetry);
     }
 }
 
-/// p xi(q), (5.4), with dL/dv for p on the Lagrangian side.
+/// Returns p xi(q), (5.4), with dL/dv for p on the Lagrangian side.
 Expression momentum_map(const VectorField& field, const WrittenOutScene& scene) {
     const std::vector<std::string>& coordinates = function_of(scene).coordinates;
     const auto* lagrangian = std::get_if<Lagrangian>(&scene.mechanics);
@@ -116,7 +116,7 @@ Expression momentum_map(const VectorField& field, const WrittenOutScene& scene) 
     return without_places(Expression::sum(std::move(terms)));
 }
 
-/// What the scene says to be conserved.
+/// Adds the quantities that the scene claims to be conserved.
 void set_said(SceneSymmetries& result, const WrittenOutScene& scene) {
     using Kind = ConservedQuantity::Kind;
     for (const NamedExpression& invariant : scene.invariants)
@@ -132,7 +132,7 @@ void set_said(SceneSymmetries& result, const WrittenOutScene& scene) {
             {Kind::field, field.name, momentum_map(field, scene), {}, field.place});
 }
 
-/// NOTE: momentum maps come first: invariants may be made of them.
+/// NOTE: momentum maps come first: invariants may be combinations of them.
 void set_findings(SceneSymmetries& result, const OfMomenta& motion) {
     std::vector<Quantity> quantities;
     std::vector<ConservedQuantity*> targets;
@@ -164,8 +164,7 @@ void set_findings(SceneSymmetries& result, const OfMomenta& motion) {
 
 namespace {
 
-/// Looks at invariants of rotating bodies: whether they are conserved, and whether
-/// they are momentum maps.
+/// Finds whether invariants of rotating bodies are conserved, and whether they are momentum maps.
 void set_findings_of_bodies(SceneSymmetries& result, const Hamiltonian& hamiltonian) {
     std::vector<Expression> maps;
     for (const ConservedQuantity& map : result.momentum_maps) maps.push_back(map.expression);

@@ -1,4 +1,4 @@
-// The symmetries of scenes without indices.
+// Symmetries of scenes without indices.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -7,9 +7,9 @@
 
 namespace hvi::gen {
 
-/// By exact algebra, for the values that the scene's parameters have. Throws as affine_symmetries()
-/// does, and for more than most_degrees_of_symmetries; and InputError where the scene calls
-/// functions of the user's own, of which nothing is known.
+/// Finds symmetries by exact algebra, for the values of the scene's parameters. Throws as
+/// affine_symmetries() does; for more than most_degrees_of_symmetries degrees of freedom; and
+/// InputError where the scene calls functions of the user's own, of which nothing is known.
 [[nodiscard]] SceneSymmetries symmetries_of(const WrittenOutScene& scene);
 
 }  // namespace hvi::gen

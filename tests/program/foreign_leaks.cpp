@@ -1,5 +1,5 @@
-// What libraries allocate before main() is not ours: CLN keeps some of it until the end. Looking up
-// the names of a suppression took longer than most runs of hvi-gen.
+// Ignores memory that libraries allocate before main(): CLN keeps some of it until the end. Looking
+// up the names of a suppression took longer than most runs of hvi-gen.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <sanitizer/lsan_interface.h>
 

@@ -53,7 +53,7 @@ inline const std::string gauss_3 = R"({
           [0.3002631949808646, 0.2222222222222222, -0.0224854172030868],
           [0.2679883337624695, 0.4804211119693833, 0.1388888888888889]]})";
 
-/// The same as Python prints it, computed from the formulas in doubles.
+/// The tableau as Python prints it, computed from the formulas in doubles.
 inline const std::string gauss_3_of_python = R"({
     "c": [0.1127016653792583, 0.5, 0.8872983346207417],
     "b": [0.2777777777777778, 0.4444444444444444, 0.2777777777777778],

@@ -1,4 +1,4 @@
-// Which certificate a tableau gets: exact, of the method that it is, or within its digits.
+// Certificates of tableaux: exact, of the method that they are, or within their digits.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <catch2/catch.hpp>
 

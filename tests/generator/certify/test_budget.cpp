@@ -1,4 +1,4 @@
-// What is too large for exact arithmetic has no certificate, and the error has its place.
+// Methods that are too large for exact arithmetic have no certificate, and the error has its place.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <catch2/catch.hpp>
 

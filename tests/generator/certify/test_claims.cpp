@@ -1,4 +1,4 @@
-// What the paper (Leok & Zhang) says of its methods, and what is true. Both are printed.
+// Claims of the paper (Leok & Zhang) about its methods, and the facts. Both are printed.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <fmt/format.h>
 

@@ -25,7 +25,7 @@ using Lines = std::vector<std::string>;
 
 }  // namespace
 
-// What is expected of polynomials at these nodes: min(p, 2(p - s) + 2) with the order p of the
+// The order expected of polynomials at these nodes is min(p, 2(p - s) + 2) with the order p of the
 // interpolatory rule, as reference.json confirms for other nodes.
 TEST_CASE("values of a parameter that raise the order are found") {
     CHECK(orders(derive(method("1, tau", "0, w")), 8).general.order == 2);

@@ -1,4 +1,4 @@
-// What a tableau is, or was meant to be.
+// Finds the method that a tableau is, or was meant to be.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,4 @@
-// What the general Galerkin form can do.
+// Properties of the general Galerkin form.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <algorithm>
 #include <cmath>

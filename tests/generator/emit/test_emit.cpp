@@ -1,4 +1,4 @@
-// What a header says. That it runs is tested in tests/runtime/run.
+// Texts of headers. Tests in tests/runtime/run run them.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <cstdlib>
 #include <regex>
@@ -24,7 +24,7 @@ std::string from_class(const std::string& text) {
     return text.substr(text.find("\nnamespace hvi::generated"));
 }
 
-/// With one blank for all that stand together.
+/// Replaces adjacent blanks by one.
 std::string in_one_line(const std::string& text) {
     return std::regex_replace(text, std::regex("\\s+"), " ");
 }

@@ -23,7 +23,7 @@ Number power_of_two(int exponent) {
     return exponent < 0 ? Number(1) / power : power;
 }
 
-/// By parts of 40 bits, each of which is a double.
+/// Returns the exact number, as parts of 40 bits, each of which is a double.
 Number exactly(Dyadic value) {
     Number sum = 0;
     while (!value.is_zero()) {
@@ -95,7 +95,7 @@ TEST_CASE("what float cannot hold is empty, or small where that will do") {
     CHECK(nearest_or_small(power_of_two(-200))[0]->is_zero());
     CHECK(nearest(power_of_two(-126))[0]);
     CHECK_FALSE(nearest(power_of_two(128))[0]);
-    // Of 1 and of a number above 2^24 float holds no difference.
+    // Float has no digits for the difference of 1 and a number above 2^24.
     const Number small = power_of_two(-26) * ratio(1, 3);
     const Step step = plan({composition({small, Number(1) - small})}, {.is_separable = false});
     Step steep = step;

@@ -15,8 +15,8 @@ using namespace hvi::gen;
 
 namespace {
 
-/// All headers of the standard library, as C++ and as C name them, with Eigen and what is often
-/// included beside them. `<coroutine>` and `<stdatomic.h>` are refused in some modes.
+/// Returns all headers of the standard library, with their names in C++ and in C, with Eigen and
+/// other common headers. `<coroutine>` and `<stdatomic.h>` are refused in some modes.
 std::string all_headers() {
     std::istringstream words(
         "algorithm any array atomic barrier bit bitset cassert cctype cerrno cfenv cfloat charconv "
@@ -66,8 +66,8 @@ bool has(const std::string& compiler) {
     return std::system((compiler + " --version > /dev/null 2>&1").c_str()) == 0;
 }
 
-/// Whether users may write it: as a parameter, or else, with a `_` before it, for a class; and not
-/// what keeps a header from being read twice, as <Eigen/Dense> defines some.
+/// Whether users may write a name: as a parameter, or, with a `_` before it, for a class. Include
+/// guards, which <Eigen/Dense> defines too, do not count.
 bool is_of_user(const std::string& name) {
     const bool is_reserved = name.front() == '_' && (name.size() < 2 || name[1] == '_' ||
                                                      (name[1] >= 'A' && name[1] <= 'Z'));

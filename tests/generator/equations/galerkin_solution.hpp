@@ -31,7 +31,7 @@ struct NumericRule {
     Reals c, b;
 };
 
-/// Row by row. By elimination with pivots.
+/// Solves equations, given row by row, by elimination with pivots.
 inline Reals solved(std::vector<Reals> rows, Reals right) {
     const std::size_t n = right.size();
     for (std::size_t k = 0; k < n; ++k) {
@@ -51,8 +51,8 @@ inline Reals solved(std::vector<Reals> rows, Reals right) {
     return right;
 }
 
-/// The values at the end, and on the way there: those of x at node i and V^j under x + "@i" and
-/// x + "#j", with indices from 0.
+/// The values at the end, and within the step: x at node i and V^j have the names x + "@i" and x +
+/// "#j", with indices from 0.
 class NumericStep {
 public:
     NumericStep(const NumericRule& rule, const Hamiltonian& H, Point start)

@@ -29,7 +29,7 @@ inline Hamiltonian hamiltonian(const std::string& text, const std::string& coord
                                  source(momenta));
 }
 
-/// Values for what is free: h, the parameters and the variables at the beginning of a step.
+/// Returns values for free symbols: h, the parameters and the variables at the beginning of a step.
 inline Point some_point(const Hamiltonian& H) {
     Point point{{"h", {0.05L}}};
     Real value = 0.3L;
@@ -38,8 +38,8 @@ inline Point some_point(const Hamiltonian& H) {
     return point;
 }
 
-/// What the equations say of the variables at the end of the step: those of the stages are taken
-/// again and again until nothing changes.
+/// Returns the variables at the end of the step by the equations. The equations of the stages are
+/// evaluated repeatedly until nothing changes.
 inline std::map<std::string, Real> solved(const StageEquations& equations, Point point) {
     const Point start = point;
     for (const Equation& stage : equations.stages) point[stage.left] = {0.4L};

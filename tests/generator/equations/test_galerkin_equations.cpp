@@ -53,7 +53,7 @@ Point start_at_time(const Hamiltonian& H) {
     return point;
 }
 
-/// The start, and what is unknown in (4.6) by the names that the equations have for it.
+/// Returns the start, and the unknowns of (4.6) by their names in the equations.
 Point solution(const Case& given, const Hamiltonian& H, const NumericStep& step) {
     Point point = start_at_time(H);
     std::vector<std::string> names = variables(H);
@@ -89,7 +89,7 @@ Real largest_difference(const GalerkinEquations& equations, const Point& point,
     return most;
 }
 
-/// (4.2), of what solves (4.6): p_1 q_1 - h sum_i b_i (P_i dq/dt(c_i) - H(Q_i, P_i)).
+/// Returns (4.2) for the solution of (4.6): p_1 q_1 - h sum_i b_i (P_i dq/dt(c_i) - H(Q_i, P_i)).
 Real value_of_K(const Case& given, const Hamiltonian& H, const NumericStep& step,
                 const Point& mixed) {
     const auto& [psi, c, b] = given.rule;

@@ -32,8 +32,8 @@ std::vector<std::string> lines(const LagrangianEquations& step) {
 
 using Lines = std::vector<std::string>;
 
-/// The largest difference between the sides of (4.14) where the values in the stages are those of
-/// (4.18) for the Hamiltonian of L, and V = dH/dp there; with the differences at the end of a step.
+/// Returns the largest difference between the sides of (4.14), and at the end of a step. The values
+/// in the stages are those of (4.18) for the Hamiltonian of L, with V = dH/dp there.
 Real largest_difference(const std::string& name, const Lagrangian& L) {
     const LagrangianEquations step = lagrangian_equations(method(name), L);
     const Hamiltonian H = legendre_transform(L);

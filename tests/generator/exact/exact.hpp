@@ -37,7 +37,7 @@ inline std::vector<std::string> texts(const NumberVector& numbers) {
 /// The closed form of the number that a text stands for.
 inline std::string normal(const std::string& given) { return text(number(given)); }
 
-/// Whether two lists of texts stand for the same numbers, decided in one field.
+/// Whether two lists of texts stand for equal numbers, decided in one field.
 inline bool same(const std::vector<std::string>& left, const std::vector<std::string>& right) {
     return left.size() == right.size() && on_new_ground([&](const Ground& ground) {
                for (std::size_t i = 0; i < left.size(); ++i) {
@@ -51,7 +51,7 @@ inline bool same(const std::string& left, const std::string& right) {
     return same(std::vector{left}, std::vector{right});
 }
 
-/// Whether exact numbers, through their closed forms, are those of the texts.
+/// Whether exact numbers, through their closed forms, equal the numbers in the texts.
 inline bool same(const NumberVector& numbers, const std::vector<std::string>& expected) {
     return same(texts(numbers), expected);
 }

@@ -18,7 +18,7 @@ inline ExactFunction function(const std::string& text, const Ground& ground,
     return basis_functions(basis, points, ground).front().function;
 }
 
-/// Whether the integral over [0, end] is what the text says, exactly.
+/// Whether the integral over [0, end] equals `expected`, exactly.
 inline bool integrates(const std::string& text, const std::string& end,
                        const std::string& expected) {
     return on_new_ground([&](const Ground& ground) {

@@ -57,7 +57,7 @@ inline NumberPolynomial read_polynomial(std::string text, const Ground& ground) 
     return evaluate_function(parse_expression(given), given, ground).coefficients();
 }
 
-/// The same polynomial in another field.
+/// Moves a polynomial to another field.
 inline NumberPolynomial moved(const NumberVector& polynomial, const Ground& ground) {
     NumberPolynomial result;
     for (const Number& coefficient : polynomial) {

@@ -24,8 +24,8 @@ NumberMatrix diagonal(const NumberVector& entries, bool inverse) {
     return result;
 }
 
-/// phi^T b phi = G is diagonal; and what makes the step, phi G^-1 phi^T, phi G^-1 A^T and
-/// phi G^-1 B, is that of the basis that was given.
+/// Checks that phi^T b phi = G is diagonal, and that phi G^-1 phi^T, phi G^-1 A^T and phi G^-1 B,
+/// which make the step, equal those of the given basis.
 void check_form(const DerivedMethod& method) {
     const auto& rule = std::get<GalerkinRule>(method);
     const GalerkinForm form = galerkin_form(method);

@@ -63,7 +63,7 @@ Point by_the_paper(const GalerkinRule& given, const Point& x, const Number& h) {
     return end;
 }
 
-/// The same by the Nystrom method: f = -q.
+/// Takes the step with the Nystrom method: f = -q.
 Point by_nystrom(const GalerkinRule& given, const Point& x, const Number& h) {
     const auto [A_bar, b_bar] = nystrom(given);
     const std::size_t r = given.nodes();

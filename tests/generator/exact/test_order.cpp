@@ -14,7 +14,7 @@ OrderConditions general(const std::string& method, int max_order = 8) {
     return orders(tableau(method), max_order).general;
 }
 
-/// By the coefficients alone.
+/// Computes the order from the coefficients alone.
 OrderConditions by_coefficients(const std::string& method, int max_order = 8) {
     return orders(partitioned_method(tableau(method)), max_order).general;
 }
@@ -256,7 +256,7 @@ TEST_CASE("enclosures decide where there is no closed form, and are told of") {
     CHECK(found.failures.front().residual.decimal(10) ==
           (tableau("1, exp(tau^2) | 0, 1").b[1] - Number(1) / Number(2)).decimal(10));
     CHECK(found.error_constant()->sign() == 1);
-    // The same numbers, known exactly, give a proof.
+    // Exact coefficients give a proof.
     const OrderConditions enclosed = by_coefficients("gauss:6", 4);
     CHECK(enclosed.order == 4);
     CHECK_FALSE(enclosed.proved);

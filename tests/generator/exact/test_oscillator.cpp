@@ -103,7 +103,8 @@ TEST_CASE("four stages with a free parameter have a map in the basis") {
     CHECK(map.half_trace.denominator.size() == 9);
     CHECK(takes_long(derive(any_method("1, tau, tau^2, cos(w*tau), sin(w*tau) | gauss:5"))));
 
-    // With a value the coefficients are enclosed, and the map is that of the stages.
+    // For a value of the parameter the coefficients are enclosed, and the map is that of the
+    // stages.
     const Tableau with_value = derive(any_method("1, tau, cos(2*tau), sin(2*tau) | gauss:4"));
     const EvenMap exact = even_map_in_basis(*with_value.galerkin, with_value.b);
     const OscillatorMap enclosed = oscillator_map(with_value);

@@ -78,9 +78,9 @@ TEST_CASE("orders at 0") {
 }
 
 TEST_CASE("the switch to the series follows from bounds") {
-    // Of w - sin(w) the terms add up to 2 w and half the leading one is w^3/12: 24/w^2 < 2^40 for
-    // w = 2^-17 and not for 2^-18. With the coefficients 3, 5, 7 and 9 what is left out is
-    // 12 w^8/11!, below 2^-118; without the one of 9 it is 12 w^6/9!, above.
+    // The terms of w - sin(w) add up to 2 w and half the leading one is w^3/12: 24/w^2 < 2^40 for w
+    // = 2^-17 and not for 2^-18. With the coefficients 3, 5, 7 and 9 the remainder is 12 w^8/11!,
+    // below 2^-118; without the coefficient 9 it is 12 w^6/9!, above.
     const SeriesPlan plan = series_plan({function({w, minus(sine)})}, circle(number("pi")));
     CHECK(plan.switch_exponent == -17);
     CHECK(plan.length == 10);

@@ -1,4 +1,4 @@
-// What holds for every method of Algorithm 4.3, on random nodes.
+// Properties of every method of Algorithm 4.3, on random nodes.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <algorithm>
 #include <random>
@@ -31,7 +31,7 @@ struct RationalNodes {
 struct Basis {
     std::string text;
     std::size_t size;
-    long denominator;  ///< of the nodes: such that exponentials and angles stay readable
+    long denominator;  ///< for nodes: keeps exponentials and angles readable
 };
 
 const std::vector<Basis> bases{

@@ -1,4 +1,4 @@
-// What mathematics forbids, what is not built yet, and what is too large.
+// Refusals: impossible methods, methods that are not built yet, and methods that are too large.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <catch2/catch.hpp>
 

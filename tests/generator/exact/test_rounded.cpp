@@ -64,7 +64,7 @@ TEST_CASE("a double stands for what is near it at the size of the largest number
     const double spacing = spacing_at(0.75);  // of doubles between 1/2 and 1
     CHECK(spacing == std::ldexp(1.0, -53));
     CHECK(spacing_at(-0.75) == spacing);
-    // What Python prints for 1/6: 6.7e-18 from it, which is more than half a unit.
+    // Python prints this for 1/6. It is off by 6.7e-18, which is more than half a unit.
     CHECK_FALSE(stands_for("0.16666666666666666", "1/6"));
     CHECK(stands_for("0.16666666666666666", "1/6", spacing));
     // 2^-54 is 5.55e-17.
@@ -148,7 +148,7 @@ TEST_CASE("within its digits a rounded method has its order and is symplectic") 
     CHECK(is_runge_kutta(gauss.rounded_method()).holds);
     CHECK(is_runge_kutta(gauss.rounded_method()).proved);  // A~ is A: the same decimals
     CHECK_FALSE(symplectic_defect(gauss.rounded_method()));
-    // As it is written it has nothing of the kind.
+    // The written numbers themselves have neither property.
     CHECK(orders(gauss.written.method, 8).general.order == 2);
     CHECK_FALSE(is_symplectic(gauss.written.method).holds);
 }

@@ -1,4 +1,4 @@
-// For which steps the powers of a map of the oscillator are bounded.
+// Steps for which the powers of a map of the oscillator are bounded.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <algorithm>
 
@@ -25,7 +25,7 @@ bool same_intervals(const std::vector<StabilityInterval>& intervals, const Json&
     return true;
 }
 
-/// As the reference has them: poles, and touching points with I and -I.
+/// Returns marks as the reference has them: poles, and touching points with I and -I.
 std::vector<std::pair<Number, std::string>> marks(const LinearStability& stability) {
     std::vector<std::pair<Number, std::string>> result;
     for (const Number& pole : stability.poles) { result.emplace_back(pole, "pole"); }

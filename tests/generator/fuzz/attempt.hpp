@@ -1,4 +1,4 @@
-// What every target asks of the program: it does what it is asked to, or says why not and where.
+// Requirements of all targets: the program does its task, or says why not and where.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 

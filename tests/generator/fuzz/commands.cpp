@@ -94,7 +94,7 @@ Request read(const std::vector<std::string>& words) {
     return parse(CommandLine(static_cast<int>(arguments.size()), arguments.data()));
 }
 
-/// Carries out a command whose result goes to a file, and gives what is in it.
+/// Carries out a command whose result goes to a file, and returns its contents.
 template <class Options>
 std::string result(Options options) {
     options.output = path_of("OUTPUT");
@@ -108,7 +108,7 @@ void check_json(const std::string& text) {
     require(nlohmann::json::accept(text), "JSON that is none");
 }
 
-/// What one format can show, all of them can.
+/// Checks that all formats show a method, if one does.
 void check_formats(const auto& method, int digits) {
     require(!render_text(method, digits).empty(), "no text");
     try {
@@ -183,6 +183,7 @@ void carry_out(const ModuleOptions& options) {
 void carry_out(const ReportOptions&) {}
 void carry_out(const CacheOptions&) {}  // what it does is outside
 void carry_out(const ListOptions&) {}
+void carry_out(const ShowOptions& options) { require(!scene_text(options.scene).empty(), "no scene"); }
 void carry_out(const CompletionsOptions& options) { static_cast<void>(result(options)); }
 void carry_out(const ManualOptions& options) { static_cast<void>(result(options)); }
 void carry_out(const Information& information) { require(!information.text.empty(), "no help"); }

@@ -9,7 +9,7 @@ namespace hvi::gen::fuzz {
 
 namespace {
 
-/// What stands before the mark, and removes both from the text.
+/// Returns the text before the mark, and removes both.
 std::string_view cut(std::string_view& text, std::string_view mark) {
     const std::size_t end = std::min(text.find(mark), text.size());
     const std::string_view before = text.substr(0, end);

@@ -16,9 +16,9 @@ namespace hvi::gen::fuzz {
 ///     term: x | 1
 ///         | sin(<sum>)
 ///
-/// A name in angles stands for an alternative of its rule; that of <$name> is chosen once in a text
-/// and is the same wherever it occurs. `_` is nothing, `~` the end of a line of the text. The first
-/// alternatives lead to an end.
+/// A name in angles stands for an alternative of its rule. The alternative of <$name> is chosen
+/// once in a text and used wherever it occurs. `_` is nothing, `~` the end of a line of the text.
+/// The first alternatives lead to an end.
 class Grammar {
 public:
     explicit Grammar(std::string_view rules);
@@ -29,7 +29,7 @@ public:
 
 private:
     struct Part {
-        bool is_name;  ///< of a rule
+        bool is_name;  ///< the name of a rule
         std::string text;
     };
     using Alternative = std::vector<Part>;

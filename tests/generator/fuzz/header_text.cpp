@@ -26,12 +26,12 @@ const std::set<std::string_view> keywords{
     "template", "this",   "throw",  "true",     "try",     "typedef", "typename", "union",
     "unsigned", "using",  "void",   "volatile", "wchar_t", "while",   "xor"};
 
-/// Of <cmath>, <cstdio>, <cerrno>, <cassert>, and of compilers.
+/// Macros of <cmath>, <cstdio>, <cerrno>, <cassert>, and of compilers.
 const std::set<std::string_view> macros{
     "M_PI",   "M_E",      "NAN",   "INFINITY", "HUGE_VAL", "FP_NAN",     "EOF", "NULL", "errno",
     "assert", "offsetof", "linux", "unix",     "stdout",   "MATH_ERRNO", "GM",  "LZ",   "I"};
 
-/// Lines without comments and without what the preprocessor reads. Texts in quotes stay.
+/// Returns lines without comments and preprocessor directives. Texts in quotes stay.
 std::vector<std::string> code_lines(std::string_view text) {
     std::vector<std::string> lines;
     while (!text.empty()) {

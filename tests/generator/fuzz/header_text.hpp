@@ -1,4 +1,4 @@
-// What can be seen of a C++ header without a compiler.
+// Checks of a C++ header that need no compiler.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 

@@ -37,7 +37,7 @@ void check_ranges(const Expression& expression, const Source& text) {
 }
 
 /// NOTE: a fraction such as 0.5 is printed as 1/2, with parentheses that make the text deeper and
-/// longer, so that what is near a limit need not be read again.
+/// longer, so that printed text near a limit may be refused.
 void check_printing(const Expression& expression) {
     const std::string printed = to_text(expression);
     static_cast<void>(to_latex(expression));
@@ -139,7 +139,7 @@ void check_scene(const WrittenOutScene& result) {
             "a description or an origin of several lines");
 }
 
-/// NOTE: see check_printing() for what is left out.
+/// NOTE: see check_printing() for its exceptions.
 void check_indices(const IndexedExpression& expression) {
     check_ranges(expression.written, *expression.source);
     const std::string printed = to_text(expression.written);

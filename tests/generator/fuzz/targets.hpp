@@ -1,4 +1,4 @@
-// What the fuzzer and the replay of its findings call: every reader of text, by name.
+// Targets that the fuzzer and the replay of its findings call: every reader of text, by name.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -19,9 +19,9 @@ void coefficients(std::string_view bytes);
 void scene(std::string_view bytes);
 void hamiltonian(std::string_view bytes);  ///< H, coordinates and momenta, each on a line
 
-// Of the whole program. The words of a command line, each on a line of its own, and `""` for an
-// empty one; behind an empty line there may be the text of a file, which the word FILE names.
-// Beside it is V.hpp, for a function of the scene's own.
+// Targets of the whole program. The input has the words of a command line, each on a line of its
+// own, and `""` for an empty one; behind an empty line there may be the text of a file, which the
+// word FILE names. Beside it is V.hpp, for a function of the scene's own.
 
 void command_line(std::string_view bytes);  ///< is only read
 void command(std::string_view bytes);       ///< is carried out, but for what needs a compiler

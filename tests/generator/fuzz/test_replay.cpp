@@ -21,7 +21,7 @@ namespace {
 
 namespace fuzz = hvi::gen::fuzz;
 
-/// What takes longer ends the test, which then says where it was.
+/// Ends the test where an input takes too long; the test then says which.
 class Watch {
 public:
     Watch() {
@@ -57,7 +57,7 @@ void replay(const char* target, void (*run)(std::string_view)) {
     CHECK(files > 0);
 }
 
-/// The texts of so many seeds, which replay the same wherever the test runs.
+/// Runs the texts of `count` seeds, which are equal on all machines.
 void derive(const fuzz::Grammar& grammar, void (*run)(std::string_view), unsigned count) {
     for (unsigned seed = 0; seed < count; ++seed) {
         std::mt19937 random(seed);

@@ -6,7 +6,8 @@
 
 namespace hvi::gen {
 
-/// Of q, p and parameters; together they call most functions and have all kinds of powers.
+/// Functions of q, p and parameters; together they call most functions and have all kinds of
+/// powers.
 inline constexpr std::array hamiltonians{
     "p^2/2 + w^2*q^2/2",
     "p^2/2 - cos(q)",

@@ -1,5 +1,5 @@
-// What the scenes that come with the program say of their motions, against Hamilton's equations by
-// automatic differentiation.
+// Claims of the scenes that come with the program about their motions, against Hamilton's equations
+// by automatic differentiation.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <catch2/catch.hpp>
 

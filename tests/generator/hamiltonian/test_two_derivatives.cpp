@@ -62,8 +62,7 @@ private:
     std::vector<Ball> nodes_;
 };
 
-/// Coordinates and momenta at points of (0, 1), no two the same, parameters too unless H gives them
-/// values.
+/// Returns different coordinates and momenta in (0, 1), and parameters unless H gives them values.
 SymbolValues point(const Hamiltonian& H, int trial) {
     SymbolValues values;
     int number = 11 + 37 * trial;
@@ -136,8 +135,8 @@ void check_second(const Hamiltonian& H) {
     }
 }
 
-/// Whether all first derivatives are proved to be the same in a field in which all symbols are
-/// free. What is proved to differ fails.
+/// Whether all first derivatives are proved to be equal in a field in which all symbols are free. A
+/// proved difference fails the test.
 bool are_proved_same(const Hamiltonian& H) {
     const System system = system_of(H, parameter_names(H));
     const std::vector<Scaled> found = both(by_coordinates(system), by_conjugates(system));

@@ -8,7 +8,7 @@
 
 namespace hvi::gen {
 
-/// That of `mistake`, in a record that has none.
+/// Whether verify() finds `mistake` in a record without other mistakes.
 template <class Record>
 bool is_found(Record record, const std::function<void(Record&)>& mistake) {
     verify(record);

@@ -36,8 +36,8 @@ inline NumberMatrix matrix_of(const std::string& text, const Ground& ground) {
     return result;
 }
 
-/// Hamiltonians by S, g and the constant in one text: `w^2, 0; 0, 1 | 0, 0 | 0`. What is missing
-/// is zero.
+/// Returns a Hamiltonian with S, g and the constant in one text: `w^2, 0; 0, 1 | 0, 0 | 0`. Missing
+/// parts are zero.
 inline QuadraticForm form_of(const std::string& text, const Ground& ground) {
     const std::vector<std::string> parts = split(text, '|');
     QuadraticForm H;
@@ -61,7 +61,7 @@ inline constexpr const char* coupled_springs = "3, -1, 0, 0; -1, 2, 0, 0; 0, 0, 
 inline constexpr const char* coupled_any = "3, -1, 2, 1; -1, 2, 1, a; 2, 1, 1, -1; 1, a, -1, 5";
 inline constexpr const char* degenerate =
     "0, 0, 1, 0; 0, 0, 0, 0; 1, 0, 0, 2; 0, 0, 2, 1 | 0, 3, 0, 1";
-/// Those of one and of two degrees of freedom.
+/// Hamiltonians of one and of two degrees of freedom.
 inline constexpr const char* many_hamiltonians[] = {oscillator,      product_qp,  any_one,
                                                     coupled_springs, coupled_any, degenerate};
 inline constexpr const char* four_springs = "4, 1, 0, 2, 0, 0, 0, 0; 1, 5, 1, 0, 0, 0, 0, 0;"
@@ -73,7 +73,7 @@ inline constexpr const char* four_any = "4, 1, 0, 2, 1, 0, 0, 0; 1, 5, 1, 0, 0, 
                                         "1, 0, 0, 0, 1, 1, 0, 0; 0, 0, -1, 0, 1, 2, 0, 0;"
                                         "0, 3, 0, 2, 0, 0, 1, 0; 0, 0, 0, 1, 0, 0, 0, 1/2";
 
-/// What `work` returns of a method's tableau, a Hamiltonian and the ground they are on.
+/// Calls `work` with a method's tableau, a Hamiltonian and their ground.
 template <class Work>
 auto with_method(const Method& method, const std::string& hamiltonian, Work work) {
     return on_new_ground([&](const Ground& new_ground) {

@@ -13,7 +13,7 @@ using namespace hvi::gen;
 
 namespace {
 
-/// What `check` says of the generating function, on the ground it is on.
+/// Calls `check` with the generating function, on its ground.
 template <class Check>
 auto with_function(const std::string& method, const std::string& hamiltonian, Check check) {
     return with_method(any_method(method), hamiltonian,

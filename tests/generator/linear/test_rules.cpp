@@ -18,7 +18,7 @@ Method rule_of(const std::string& basis, const std::string& nodes,
                                               source(weights, "--weights"));
 }
 
-/// As with_method of tableaux.
+/// Calls `work` with a rule, as with_method() does with a tableau.
 template <class Work>
 auto with_rule(const Method& method, const std::string& hamiltonian, Work work) {
     return on_new_ground([&](const Ground& new_ground) {
@@ -105,7 +105,7 @@ TEST_CASE("nodes without a closed form have maps and generating functions all th
         CAPTURE(hamiltonian);
         CHECK(with_rule(rule_of("1, tau", "gauss:6"), hamiltonian,
                         [](const GalerkinRule& rule, const QuadraticForm& H, const Ground& ground) {
-                            // With enough nodes all rules for polynomials are one.
+                            // NOTE: with enough nodes all rules for polynomials are one.
                             const Method other = method("1, tau", "lobatto:6");
                             const auto same =
                                 std::get<GalerkinRule>(derive_any_on(ground, other).method);

@@ -17,7 +17,7 @@ namespace hvi::gen {
 using Real = long double;
 using Values = std::map<std::string, Real>;
 
-/// An expression by itself: what the graph is compared with.
+/// Evaluates an expression by itself, for comparison with the graph.
 inline Real value(const Expression& expression, const Values& inputs) {
     using Kind = Expression::Kind;
     const auto argument = [&](std::size_t k) { return value(expression.arguments.at(k), inputs); };

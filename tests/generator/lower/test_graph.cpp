@@ -36,7 +36,7 @@ struct Lowered {
         return lower(graph, parsed(text), symbols, whole);
     }
 
-    /// With two functions of the user's own.
+    /// Parses a text that may call two functions of the user's own.
     [[nodiscard]] static Expression parsed(const std::string& text) {
         return parse_indexed_expression(source(text), {{"U", 1}, {"W", 2}}).written;
     }
@@ -59,7 +59,8 @@ Values at_random(const Names& names, unsigned seed) {
     return values;
 }
 
-/// By Richardson's extrapolation of central differences: an error of d^4 and of 1e-19/d.
+/// Returns the derivative by Richardson's extrapolation of central differences: an error of d^4 and
+/// of 1e-19/d.
 Real difference(const Expression& f, const Values& at, const std::string& name) {
     const auto central = [&](Real d) {
         Values left = at, right = at;

@@ -56,7 +56,8 @@ std::string fault_in_words(const OptionEntry& row) {
     return "";
 }
 
-/// What another option is called, where each command of the row takes it, or some.
+/// Returns the fault where a related option is unknown: each command of the row must take a needed
+/// one, and some command an excluded one.
 std::string fault_in_relations(const Rows& all, const OptionEntry& row) {
     const auto taken = [&](std::string_view name, Command command) {
         return std::any_of(all.begin(), all.end(), [&](const OptionEntry& other) {

@@ -15,7 +15,7 @@ inline Number ratio(long numerator, long denominator) {
     return Number(numerator) / Number(denominator);
 }
 
-/// With a~_ij = b_j - b_j a_ji / b_i.
+/// Makes a tableau with a~_ij = b_j - b_j a_ji / b_i.
 inline Tableau make(NumberVector c, NumberVector b, NumberMatrix A) {
     Tableau tableau;
     tableau.provenance = {"by-hand", "--method by-hand", {}};
@@ -43,7 +43,7 @@ inline Tableau verlet() {
     return make({0, 1}, {half, half}, {{0, 0}, {half, half}});
 }
 
-/// Drift, kick, drift: what Verlet is with q and p exchanged.
+/// Drift, kick, drift: Verlet with q and p exchanged.
 inline Tableau position_verlet() {
     const Number half = ratio(1, 2);
     return make({half, half}, {half, half}, {{half, 0}, {half, 0}});

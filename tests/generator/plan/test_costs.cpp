@@ -1,4 +1,4 @@
-// What is likely to cost less.
+// Estimates of costs.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <catch2/catch.hpp>
 
@@ -34,7 +34,7 @@ TEST_CASE("both gradients at once, where that is likely to cost less") {
     CHECK(pays("(q^2+1)*(p^2+1)/2", "q", "p"));
     // All of dH/dq and dH/dp is made of the same four functions of q and p.
     CHECK(pays("log((a-b)^2+(c-d)^2)+sin(a*c+b*d)", "a, b", "c, d"));
-    // What dH/dp takes from q, dH/dq has left.
+    // When slopes are used at once, dH/dp reuses the functions of q that dH/dq has computed.
     CHECK_FALSE(pays("(a^2+b^2-a*b*cos(x-y))/(1+sin(x-y)^2)-cos(x)-cos(y)", "x, y", "a, b"));
     CHECK_FALSE(pays("(p+sin(q))^2/2+exp(q)", "q", "p"));
 }
@@ -65,7 +65,7 @@ TEST_CASE("a correction costs more than a sweep, and factors more than a correct
 }
 
 TEST_CASE("costs are near to times that were measured") {
-    // Of corrections and factors over those of sweeps, on a processor with AVX2.
+    // Measured times of corrections and factors over those of sweeps, on a processor with AVX2.
     struct Measured {
         const char* method;
         double corrections, factors;

@@ -1,4 +1,4 @@
-// What is solved for and what is left out.
+// Plans: values that are solved for, and values that are left out.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <algorithm>
 #include <cmath>

@@ -167,7 +167,8 @@ TEST_CASE("of few stages the slopes of two steps are extrapolated") {
             CHECK((sum - tableau.b[i] * power(tableau.c[i])).is_zero());
         }
     }
-    // Of four stages by least squares, of degree 6; from the normal equations, to 60 digits.
+    // Four stages are fitted by least squares, of degree 6; expected from the normal equations, to
+    // 60 digits.
     const Extrapolation fitted =
         extrapolations(plan({derive(method("gauss:4"))}, {.is_separable = true},
                             {.solver = Solver::automatic}))
@@ -209,7 +210,7 @@ TEST_CASE("slopes of steps in a row are extrapolated to the size of the next one
 }
 
 TEST_CASE("a step that is much larger than the one before has a polynomial of low degree") {
-    // Of yoshida:8 one is 17 times as large.
+    // One step of yoshida:8 is 17 times as large.
     const Tableau tableau = derive(method("gauss:10"));
     const Step step = composed_in_lanes(tableau, "yoshida:8");
     const std::vector<double> sizes = doubles_of(step.in_a_row);

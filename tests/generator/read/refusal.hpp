@@ -13,7 +13,7 @@ inline std::shared_ptr<const Source> source(std::string text, std::string name =
     return std::make_shared<const Source>(Source{std::move(name), std::move(text)});
 }
 
-/// What an error said. `marked` is the text with the caret's range in brackets: `2[tau]`.
+/// The parts of an error. `marked` is the text with the caret's range in brackets: `2[tau]`.
 struct Refusal {
     int status = 0;  ///< 0 when there was no error
     std::string what;

@@ -33,7 +33,7 @@ std::string texts(const CoefficientVector& entries) {
     return result;
 }
 
-/// Which of the nodes look rounded: `r` or `-` for each.
+/// Marks the nodes that look rounded: `r` or `-` for each.
 std::string rounded(const std::vector<std::string>& numbers) {
     std::string c, row, rows;
     for (const std::string& number : numbers) {

@@ -146,7 +146,7 @@ TEST_CASE("what is wrong with an NPY file is said") {
 
 namespace {
 
-/// What a file of values in [initial] is read as.
+/// Reads a file of values in [initial].
 IndexedValue value_in(const Files& files, const std::string& values) {
     return files.indexed(values).initial->values.back();
 }

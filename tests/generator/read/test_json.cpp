@@ -63,7 +63,7 @@ TEST_CASE("every value knows its place") {
     CHECK(marked(a.items[1].range) == "t.json:2   \"a\" : [ 12 , [[\"q\\\"]\"]] ],");
     CHECK(marked(file.root().members[1].range) == "t.json:3   [[\"b\"]]:{\"c\":-3.5}}");
     CHECK(marked(file.root().find("b")->find("c")->range) == "t.json:3   \"b\":{\"c\":[[-3.5]]}}");
-    // Of what goes over several lines the first one is shown.
+    // For a value over several lines the first one is shown.
     CHECK(marked(file.root().range) == "t.json:1 [[{]]");
 }
 

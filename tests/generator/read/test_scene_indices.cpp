@@ -281,5 +281,5 @@ TEST_CASE("what names stand for is nested as deep as a stack bears") {
     };
     CHECK(read(with(9)).mechanics.index() == 0);
     CHECK(refused(with(10)).what ==
-          "with what its names stand for this is nested deeper than 1200");
+          "with its names replaced by their values this is nested deeper than 1200");
 }

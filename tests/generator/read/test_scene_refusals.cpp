@@ -1,4 +1,4 @@
-// What is wrong with a scene, and where.
+// Faults of scenes, and their places.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,4 @@
-// Which columns of a table are wanted.
+// The wanted columns of a table.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,4 @@
-// What is looked for in printed text and JSON.
+// Searches in printed text and JSON.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 

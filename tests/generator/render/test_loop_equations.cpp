@@ -213,7 +213,8 @@ private:
         return expression;
     }
 
-    /// By a variable, where those of the families have their values `X_1[1]`, `X_1[2]`, ...
+    /// Returns the derivative by a variable, where the families have the values `X_1[1]`, `X_1[2]`,
+    /// ...
     [[nodiscard]] Real slope(const std::string& variable, const std::vector<Expression>& stages) {
         Point at = scene_.point;
         for (const Expression& stage : stages) {
@@ -230,8 +231,8 @@ private:
     std::string index_;
 };
 
-/// The values in stages and at the end, for any values in stages, are those of the equations of the
-/// scene that is written out.
+/// Checks that the values in stages and at the end, for any values in stages, equal those by the
+/// equations of the written-out scene.
 void check_stages(const std::string& method, const Scene& scene) {
     const Method read = named_method(source(method, "--method"));
     const LoopEquations step = loop_equations(read, scene, {});

@@ -17,7 +17,7 @@ inline DiscreteSeries series(const std::string& name, const std::string& H, int 
     return series(method(name), H, terms);
 }
 
-/// q p and the terms of a series, with the slopes of what has one in the point.
+/// Returns q p plus the terms of a series, with slopes by the symbols that have them in the point.
 inline Dual sum(const std::vector<DiscreteSeries::Coefficient>& terms, const Hamiltonian& H,
                 const Point& point, Dual h) {
     Dual result;

@@ -69,7 +69,7 @@ std::vector<RuleInNumbers> rules_in_numbers() {
             with_wave()};
 }
 
-/// The stationary value that (4.6) is about, less that of the series at the same q_0 and p_1.
+/// Returns the stationary value of (4.6), less the value of the series at equal q_0 and p_1.
 Real remainder(const RuleInNumbers& given, const Hamiltonian& H, const DiscreteSeries& series,
                Real h) {
     Point start_of_step = start(H);
@@ -177,7 +177,7 @@ TEST_CASE("of a quadratic kinetic energy both kinds of trees make one series") {
             });
 }
 
-// As many nodes with a weight as functions: (4.6) is Theorem 4.2 at these.
+// NOTE: there are as many nodes with a weight as functions, at which (4.6) is Theorem 4.2.
 TEST_CASE("nodes without a weight change nothing") {
     for (const char* H : {with_metric, relativistic, quartic}) {
         const DiscreteSeries linked = series(rule("1, tau | 1/3, 1, 0"), H, 5),

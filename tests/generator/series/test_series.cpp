@@ -154,7 +154,7 @@ public:
     }
 
 private:
-    /// With p = 0.
+    /// Returns the point at a node, with p = 0.
     [[nodiscard]] Point at_node(std::size_t i) const {
         Point point = start_;
         point["t"].value += h_ * c_[i];
@@ -182,7 +182,7 @@ private:
         for (std::size_t d = 0; d < H_.degrees_of_freedom(); ++d) solve(right, d);
     }
 
-    /// By sweeps of Gauss and Seidel.
+    /// Solves by sweeps of Gauss and Seidel.
     void solve(const std::vector<std::vector<Real>>& right, std::size_t d) {
         for (int sweep = 0; sweep < 200; ++sweep)
             for (std::size_t k = 0; k < V_.size(); ++k) {
@@ -218,7 +218,7 @@ bool is_nystrom(const SeriesTree& tree) {
     return is_one_kind && (ends.size() <= 2 || ends.front() == End::q);
 }
 
-/// With 0, 1, ..., arrows.
+/// Returns the trees with 0, 1, ... arrows.
 std::vector<SeriesTrees> unrooted_trees(SeriesFamily family, int arrows) {
     UnrootedTrees trees(family, [](const SeriesTree&) { return false; });
     std::vector<SeriesTrees> result;

@@ -57,7 +57,7 @@ TEST_CASE("a Runge-Kutta method without a loop is explicit for every H") {
     // Stages in another order.
     CHECK(is_explicit(runge_kutta({{"0", "1/2"}, {"0", "0"}}, {"1", "0"}), false));
     CHECK_FALSE(is_explicit(runge_kutta({{"0", "1/2"}, {"1/2", "0"}}, {"1/2", "1/2"}), false));
-    // Of one stage that depends on itself, an entry that is no proved zero is enough.
+    // One stage that depends on itself is implicit, even by an entry that is not proved to be zero.
     CHECK_FALSE(is_explicit(runge_kutta({{"1/2"}}, {"1"}), true));
 }
 

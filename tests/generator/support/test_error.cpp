@@ -1,4 +1,4 @@
-// What users see of an error.
+// Error messages as users see them.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <catch2/catch.hpp>
 

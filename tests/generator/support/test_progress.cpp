@@ -16,7 +16,7 @@ using namespace std::chrono_literals;
 
 namespace {
 
-/// What `work` writes to standard error.
+/// Returns the output of `work` on standard error.
 template <class Work>
 std::string standard_error_of(Work work) {
     std::FILE* file = std::tmpfile();

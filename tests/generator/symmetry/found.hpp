@@ -9,7 +9,7 @@
 
 namespace hvi::gen {
 
-/// Of coordinates and momenta between commas, or of q, p.
+/// Finds symmetries of an H with coordinates and momenta between commas, or with q, p.
 inline SceneSymmetries found_of(const std::string& hamiltonian, const std::string& coordinates = "",
                                 const std::string& momenta = "") {
     WrittenOutScene scene;

@@ -7,7 +7,7 @@
 
 namespace hvi::gen {
 
-/// In three coordinates: what is put together of invariants of a group, and how large the group is.
+/// A function of invariants of a group in three coordinates, and the dimension of the group.
 struct Plan {
     const char* hamiltonian;
     std::size_t dimension;
@@ -15,8 +15,8 @@ struct Plan {
     bool is_free = true;  ///< whether the part that is quadratic in p has no q in it
 };
 
-/// u, v, w are linear forms of the coordinates, and pu, pv, pw those of the momenta that belong to
-/// them.
+/// Plans. u, v, w are linear forms of the coordinates, and pu, pv, pw are the linear forms of their
+/// momenta.
 inline constexpr Plan plans[] = {
     {"(pu^2+pv^2+pw^2)/2 + (u^2+v^2+w^2)^2", 3, "so(3)"},
     {"(pu^2+pv^2+pw^2)/2 + (u^2+v^2)^2 + w^4", 1, "so(2)"},

@@ -197,7 +197,7 @@ TEST_CASE("Scenes that come with the program") {
 }
 
 TEST_CASE("Coefficients of which nobody knows whether they are zero are no end of it") {
-    // With any b one does not see which of the two coordinates it is.
+    // For an unknown b it is open which of the two coordinates the choice is.
     const SceneSymmetries chosen = found_of_scene(R"toml(
         coordinates = ["x", "y"]
         velocities = ["vx", "vy"]

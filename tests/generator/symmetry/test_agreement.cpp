@@ -1,4 +1,4 @@
-// What is said of methods, against steps that are made: by all coefficients, in long double.
+// Statements on methods, against steps with all coefficients, in long double.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <algorithm>
 #include <array>
@@ -76,7 +76,7 @@ public:
         return evaluate(expression, at(x)).value;
     }
 
-    /// By iterations of the stages.
+    /// Takes a step by iterations of the stages.
     [[nodiscard]] Phase step(const Tested& method, const Phase& x, Real h) const {
         const std::size_t s = method.b.size(), n = x.q.size();
         std::vector<Vector> V(s, Vector(n)), G(s, Vector(n));

@@ -21,7 +21,7 @@ struct Outcome {
 /// Runs a line of shell in which `hvi-gen` is the program: for redirections.
 [[nodiscard]] Outcome shell(const std::string& line, const std::filesystem::path& directory = ".");
 
-/// The names of what is in a directory, sorted.
+/// Returns the names of the files in a directory, sorted.
 [[nodiscard]] std::vector<std::string> names_in(const std::filesystem::path& directory);
 
 /// A new directory, removed with all that is in it at the end of the scope.

@@ -1,4 +1,4 @@
-// What every refusal of hvi-gen has: its status, its message, and that nothing else is written.
+// Checks of every refusal of hvi-gen: its status, its message, and that nothing else is written.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -44,7 +44,7 @@ inline void check_form(const std::string& message) {
 
 struct Refusal {
     int status;
-    std::string place;  ///< what the caret underlines; empty where it points to no text
+    std::string place;  ///< the text under the caret; empty where it points to no text
     std::vector<std::string> words;
 };
 

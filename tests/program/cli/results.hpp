@@ -17,7 +17,7 @@ inline std::vector<std::string> with(std::vector<std::string> words,
     return words;
 }
 
-/// The words give the same bytes every time; returns them.
+/// Returns the output of the words, which must have equal bytes every time.
 inline std::string same_every_time(const std::vector<std::string>& words) {
     const Outcome first = hvi_gen(words);
     INFO(first.err);

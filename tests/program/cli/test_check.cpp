@@ -1,4 +1,4 @@
-// What `hvi-gen check` writes.
+// Results of `hvi-gen check`.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <catch2/catch.hpp>
 
@@ -37,7 +37,8 @@ TEST_CASE("check says what a tableau from elsewhere is") {
         CHECK(outcome.err.empty());
         return outcome.out;
     };
-    // As Python prints them, with one digit changed at the 12th place.
+    // NOTE: Python prints these numbers; the file wrong.json has one digit changed, at the 12th
+    // place.
     write(directory / "gauss.json",
           "{\"c\": [0.21132486540518713, 0.7886751345948129], \"b\": [0.5, 0.5],\n"
           " \"A\": [[0.25, -0.038675134594812866], [0.5386751345948129, 0.25]]}");
@@ -74,7 +75,7 @@ TEST_CASE("what tableau writes is what check reads") {
         const std::string direct = hvi_gen({"check", "--method", method, "--format", "json"}).out;
         const std::string read =
             hvi_gen({"check", "--tableau", "t.json", "--format", "json"}, directory.path()).out;
-        // The same bytes up to the audit, which is the last of the fields.
+        // NOTE: the bytes are equal up to the audit, which is the last of the fields.
         const std::size_t end = direct.rfind("\n}");
         REQUIRE(end != std::string::npos);
         CHECK(read.substr(0, end) == direct.substr(0, end));

@@ -1,4 +1,4 @@
-// What shells propose, what man shows, and that both and --help know every option.
+// Proposals of shells and the man page; both and --help know every option.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <algorithm>
 
@@ -28,7 +28,8 @@ public:
         write(directory_ / "my words.toml", "");
     }
 
-    /// The replies, sorted, one in a line. NOTE: of bash, `breaks` are those of an interactive one.
+    /// Returns the replies, sorted, one in a line. NOTE: `breaks` are the default of an interactive
+    /// bash.
     std::string operator()(const std::string& line, const std::string& breaks = ":=") const {
         const Outcome outcome =
             shell("source completions; COMP_WORDBREAKS=" + breaks + "; COMP_LINE='" + line +
@@ -132,7 +133,7 @@ TEST_CASE("zsh and fish read their completions, where they are installed") {
     CHECK(
         has(contents(directory / "hvi-gen.fish"),
             "-n '__fish_seen_subcommand_from check stepper scheme symmetries' -l hamiltonian -x -d "
-            "'Or H(q, p, t), as in \"p^2/2 + w^2*q^2/2\"'\n"));
+            "'H(q, p, t) in place of SCENE: \"p^2/2 + w^2*q^2/2\"'\n"));
     CHECK(
         has(contents(directory / "hvi-gen.fish"), "-s o -l output -r -F -d 'Write to this file'"));
 }

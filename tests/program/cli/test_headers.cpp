@@ -12,7 +12,7 @@ using namespace hvi::test;
 namespace {
 
 const std::vector<std::string> read_only{"-std=c++17 -fsyntax-only", "-std=gnu++17 -fsyntax-only"};
-/// For machines of which the compiler knows more.
+/// Options for machines with more instructions.
 const std::vector<std::string> optimised{"-std=c++17 -O2",
 #ifdef __x86_64__
                                          "-std=c++17 -O3 -march=skylake-avx512"

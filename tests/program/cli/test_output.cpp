@@ -1,4 +1,4 @@
-// What goes where when all is well, and what is left when the outside fails.
+// Destinations of output in successful runs, and leftovers of failed ones.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <sys/stat.h>
 #include <unistd.h>

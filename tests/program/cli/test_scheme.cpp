@@ -1,4 +1,4 @@
-// What `hvi-gen scheme` writes.
+// Results of `hvi-gen scheme`.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <catch2/catch.hpp>
 

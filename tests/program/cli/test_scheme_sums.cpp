@@ -28,7 +28,7 @@ std::string printed(const std::vector<std::string>& words) {
     return outcome.out;
 }
 
-/// A message that names what has no sums, and what helps.
+/// Checks that the message names the feature without sums, and has help.
 void check_no_sums(const std::vector<std::string>& words, const std::string& what) {
     const Outcome outcome = hvi_gen(words);
     INFO(outcome.err);

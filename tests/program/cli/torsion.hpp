@@ -4,7 +4,7 @@
 
 namespace hvi::test {
 
-/// Four atoms with bonds that are springs, and a torsion: an angle between two planes, of which the
+/// Four atoms with bonds that are springs, and a torsion: an angle between two planes, whose
 /// derivatives have some thousand terms.
 inline const char* const torsion = R"toml(
 name        = "torsion"

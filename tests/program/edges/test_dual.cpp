@@ -135,7 +135,7 @@ TEST_CASE("compensated sums keep what each part loses") {
 }
 
 TEST_CASE("Newton's method gives the derivatives of a solution") {
-    // Of u^2 + v = a and u v = b, at u = 2 and v = 3: du = (2 da - db)/5, dv = da - 4 du.
+    // For u^2 + v = a and u v = b, at u = 2 and v = 3: du = (2 da - db)/5, dv = da - 4 du.
     const Dual a = dual(7, 1, 0, 5);
     const Dual b = dual(6, 0, 1, 5);
     Dual u = 2.25;

@@ -1,4 +1,4 @@
-// What motion is at q = p = 0.
+// The motion at q = p = 0.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <memory>
 #include <string>

@@ -1,4 +1,4 @@
-// What is known of compositions beforehand, beside the steps that they consist of.
+// Known facts about compositions, beside the steps that they consist of.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <array>
 #include <cmath>
@@ -38,7 +38,7 @@ Matrix map_at(const OscillatorMap& map, double z) {
     return {at(map.m11, z) / D, at(map.m12, z) / D, at(map.m21, z) / D, at(map.m22, z) / D};
 }
 
-/// Of (omega q, p): kick, drift, kick.
+/// Returns the map of (omega q, p): kick, drift, kick.
 Matrix verlet(double z) { return {1 - z * z / 2, z, -z + z * z * z / 4, 1 - z * z / 2}; }
 
 }  // namespace

@@ -74,7 +74,7 @@ TEST_CASE("gauss:2 does at the edges what it should") {
     CHECK(find(stiff, "harmonic-oscillator", "fixed points").at("expected") ==
           "bounded at 28, growing at 0, that or stopped at 1, refused at 28");
 
-    // Of the chain z <= 0.3 for k < 20; the fixed points expand by 2, z^2 = 24, for k > 29.
+    // In the chain z <= 0.3 for k < 20; the fixed points expand by 2, z^2 = 24, for k > 29.
     const json chain = checks_of(report, "chain");
     CHECK(chain.size() == 3);
     CHECK(find(chain, "fpu", "Newton").at("expected") ==
@@ -148,15 +148,16 @@ TEST_CASE("a composition does at the edges what it should") {
     CHECK(find(rejections, "harmonic-oscillator", "and back").at("expected") ==
           "ok, back within 1e-12");
     const json stiff = checks_of(found, "stiff");
-    // Of the points 10^(-3 + k/8) these are k < 26: see test_oscillation.cpp.
+    // The bounded ones among the points 10^(-3 + k/8) are k < 26: see test_oscillation.cpp.
     CHECK(find(stiff, "harmonic-oscillator", "57 z").at("expected") ==
           "bounded at 26, growing at 31");
 }
 
 TEST_CASE("a stepper that is wrong is seen to be wrong, in each chapter") {
     const Directory directory;
-    // It takes what is not finite, drifts a little far, and loses momentum; in the chain it gains
-    // much, and where H is scaled it drifts too far in large steps alone.
+    // The edited stepper accepts states that are not finite, drifts a little too far, and loses
+    // momentum. In the chain it gains much, and for a scaled H it drifts too far in large steps
+    // alone.
     const std::string edit = "[ -f stepper.hpp ] && sed -i"
                              " -e 's/!hvi::detail::finite(q_, end)/false/'"
                              " -e 's/+ h \\* slope\\[k\\]/+ h * Scalar(1.00001) * slope[k]/'"
@@ -241,7 +242,7 @@ TEST_CASE("a stepper that moves too slowly is seen where events are counted") {
 TEST_CASE("edges of one's own scene, in its report") {
     use_cache();
     const Directory directory;
-    // With a force at the origin, a wall of infinite height at q = 0, and at rest there.
+    // The scenes have a force at the origin, a wall of infinite height at q = 0, and rest there.
     const std::string scene = "coordinates = [\"q\"]\nmomenta = [\"p\"]\n"
                               "initial = {q = 1, p = 0}\nrun = {step = 0.1, until = 2}\n";
     write(directory / "pushed.toml", scene + "hamiltonian = \"p^2/2 + q^2/2 + q*cos(t)\"\n");

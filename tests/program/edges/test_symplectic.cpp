@@ -109,7 +109,7 @@ TEST_CASE("the defect of maps that are not symplectic") {
 }
 
 TEST_CASE("a small defect is not hidden by large entries of D") {
-    // Of the columns (h 1e12, h, 1, 0) and (h (1 + 1e-9), h, 0, 1): h 1e-9 beside h (2 + 1e-9).
+    // For the columns (h 1e12, h, 1, 0) and (h (1 + 1e-9), h, 0, 1): h 1e-9 beside h (2 + 1e-9).
     CHECK(std::abs(defect<2>(Shears{}, 0.5, 1) - 5e-10) <= 1e-15);
 }
 

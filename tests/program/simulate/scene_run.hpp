@@ -56,7 +56,7 @@ struct SceneRun {
     }
 };
 
-/// Runs a scene in a directory with these words, of which the first is its name.
+/// Runs a scene in a directory with these words, the first of which is its name.
 inline SceneRun run_words_in(const Directory& directory, const std::string& words) {
     use_cache();
     SceneRun result;

@@ -1,4 +1,4 @@
-// Which method is advised for an accuracy, and what leads to it.
+// The method that is advised for an accuracy, and the search for it.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <cmath>
 #include <cstdlib>

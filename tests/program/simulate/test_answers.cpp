@@ -1,4 +1,4 @@
-// What programs say that are not what they should be.
+// Wrong output of programs.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <string>
 #include <vector>

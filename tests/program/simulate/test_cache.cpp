@@ -31,7 +31,7 @@ fs::path entry_of(const fs::path& cache) {
     return cache / names.front();
 }
 
-/// That the run is done, by a program that was compiled for it alone, and that this is said.
+/// Checks that a program that was compiled for this run alone does it, and that a warning says so.
 void is_refused(const PretendedCompiler& compiler, const std::string& line,
                 const std::string& reason) {
     const std::size_t before = compiler.compilations();

@@ -51,7 +51,7 @@ private:
     std::string words_;
 };
 
-/// The summary without what is of the clock.
+/// Returns the summary without wall-clock times.
 std::string without_time(const std::string& summary) {
     std::string result;
     for (const std::string& line : lines_of(summary))

@@ -81,12 +81,12 @@ TEST_CASE("errors of steps in scaled time are those at a time") {
                                          "1/10, 1/20, 1/33", "--only",           "json,work"};
     const json of_exact = report_of(scaled_oscillator + exact, words, directory);
     CHECK(of_exact.at("scenes")[0].at("reference").at("kind") == "exact");
-    // Of the orders 4 and 8, in half of the step.
+    // The orders are 4 and 8: the step is halved.
     CHECK(std::abs(std::log2(error_at(of_exact, 0, 0) / error_at(of_exact, 0, 1)) - 4) < 0.2);
     CHECK(std::abs(std::log2(error_at(of_exact, 1, 0) / error_at(of_exact, 1, 1)) - 8) < 0.5);
     const json& points = of_exact.at("scenes")[0].at("methods")[0].at("points");
     CHECK(points[2].at("h") == 1.0 / 33);
-    // As t = 5 is s + sin(2 t)/8 and more, there are fewer steps than of time, and the last is
+    // Since t = 5 is s + sin(2 t)/8 and more, there are fewer steps than of time, and the last is
     // short.
     CHECK(points[0].at("steps") > 35);
     CHECK(points[0].at("steps") < 50);

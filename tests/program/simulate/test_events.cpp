@@ -140,8 +140,8 @@ TEST_CASE("jumps that are no canonical map are refused where they say so") {
         CAPTURE(jump);
         CHECK(run_scene(ball + floor + "set = " + jump + "\n").outcome.status == 2);
     }
-    // Where H may change by a constant, and at a time of its own.
-    // It falls through a floor that lifts it by 1, at the speeds sqrt(1), sqrt(3), sqrt(5), ...
+    // In these scenes H may change by a constant, at a time of its own. The ball falls through a
+    // floor that lifts it by 1, at the speeds sqrt(1), sqrt(3), sqrt(5), ...
     const SceneRun lifted = run_scene(ball + floor + "set = {q = \"q + 1\"}\n");
     INFO(lifted.outcome.err);
     REQUIRE(lifted.outcome.status == 0);

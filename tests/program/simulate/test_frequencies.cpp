@@ -162,7 +162,7 @@ TEST_CASE("frequencies that cannot be had are refused") {
             "--frequencies takes 64 rows at least, and here are 63");
     refused("scaled.toml --frequencies x", "steps of scaled time are not");
     refused("scene.toml --frequencies x --checkpoint file",
-            "--frequencies takes all rows of one run: it goes not with");
+            "--frequencies takes all rows of one run: it does not go with");
 }
 
 TEST_CASE("a run that ends early says that it has too few rows") {

@@ -36,7 +36,7 @@ public:
                      directory_.path());
     }
 
-    /// Whether both write the same table, after they end with this status.
+    /// Checks that both write equal tables, after they end with this status.
     void check_same(const std::string& words, int status = 0) const {
         const Outcome one = interpreted(words), other = compiled(words);
         INFO(words << "\n" << one.err << other.err);

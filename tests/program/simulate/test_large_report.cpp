@@ -53,8 +53,8 @@ Json report_on(const std::string& scene, const std::vector<std::string>& words) 
     return Json::parse(contents(directory / "out/report.json"));
 }
 
-/// Of so many steps of Stormer and Verlet's method: a spring turns by the angle a a step, where
-/// sin(a/2) = h omega/2, on an ellipse whose momenta are smaller by cos(a/2).
+/// Returns the error of `steps` steps of Stormer and Verlet's method. A spring turns by the angle a
+/// a step, where sin(a/2) = h omega/2, on an ellipse whose momenta are smaller by cos(a/2).
 double error_of_verlet(double until, int steps) {
     const double h = until / steps;
     double sum = 0, size = 0;

@@ -97,7 +97,7 @@ TEST_CASE("files that do not fit are refused, and nothing is written") {
 
 namespace {
 
-/// Springs on a plane, of which one begins as `start` has it.
+/// Springs on a plane; one of them begins at `start`.
 std::string plane(const std::string& start, int n = 100) {
     return "coordinates = \"u[0..N-1,0..N-1]\"\nmomenta = \"v[0..N-1,0..N-1]\"\n"
            "hamiltonian = \"sum(i=0..N-1, j=0..N-1, (v[i,j]^2 + u[i,j]^2)/2)\"\n"

@@ -36,7 +36,7 @@ std::vector<Numbers> rows_of(const std::string& scene, const std::string& column
     return rows;
 }
 
-/// Pairs of springs, of which q[1], ..., q[40] begin as it is said.
+/// Pairs of springs; q[1], ..., q[40] begin at `start`.
 std::string springs(const std::string& parameters, const std::string& start) {
     return "coordinates = [\"q[1..N]\", \"r[1..N]\"]\nmomenta = [\"p[1..N]\", \"s[1..N]\"]\n"
            "hamiltonian = \"sum(i=1..N, p[i]^2/2 + s[i]^2/2 + (q[i] - r[i])^2/2)\"\n"
@@ -124,8 +124,8 @@ double sum_of(const Numbers& row, std::size_t begin, std::size_t end) {
 
 }  // namespace
 
-// What compilers make of constants is not always the same: g++ 12.2 for AVX-512 takes 1, 1, 0, 0
-// for 1, 1, 1, 1 where it copies an array that it sees.
+// NOTE: compilers may treat constants wrongly: g++ 12.2 for AVX-512 takes 1, 1, 0, 0 for 1, 1, 1, 1
+// where it copies an array that it sees.
 TEST_CASE("lists are what the scene says") {
     use_cache();
     const Directory directory;

@@ -14,7 +14,7 @@ using namespace hvi::test;
 
 namespace {
 
-/// A compiler around that of the tests which counts how often it compiles, in a fresh cache.
+/// A compiler that wraps the tests' compiler and counts how often it compiles, in a fresh cache.
 class CountedCompiler {
 public:
     CountedCompiler() {

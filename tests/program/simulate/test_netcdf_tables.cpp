@@ -140,7 +140,7 @@ struct RunsInHdf5 {
     Directory directory;
 };
 
-/// Both tables of a run, which are the same numbers.
+/// Checks that both tables of a run have equal numbers.
 void agree_in_hdf5(const std::string& words, std::size_t rows, std::size_t bytes = 8) {
     CAPTURE(words);
     const RunsInHdf5 runs;
@@ -248,7 +248,7 @@ TEST_CASE("tables as HDF5 that cannot be") {
     const RunsInHdf5 runs;
     const std::string words =
         "kepler --method stormer-verlet --interpret --until 1000 --format hdf5 ";
-    // As on a full disk, writing fails when the file has this size.
+    // Writing fails when the file has this size, as it does on a full disk.
     for (const std::string blocks : {"1", "8", "40", "100"}) {
         const Outcome full = runs.run(words + "-o out", "ulimit -f " + blocks + "; ");
         CAPTURE(blocks, full.err);

@@ -38,7 +38,7 @@ void write_scene(const Directory& directory, const std::string& header) {
           "#pragma once\ntemplate <class X> X half() { return X(1) / X(2); }\n");
 }
 
-/// Of the last line of numbers.
+/// Returns the last line of numbers.
 std::vector<double> last_row(const std::filesystem::path& table) {
     std::string line = lines_of(contents(table)).back() + ",";
     std::vector<double> numbers;
@@ -59,7 +59,7 @@ TEST_CASE("a run calls the functions of the user's header") {
     REQUIRE(result.status == 0);
     const auto row = last_row(directory / "out/trajectory.csv");
     REQUIRE(row.size() == 4);
-    // Of the matrix of gauss:2, (6.6) of the paper, the phase is off by (h^4/720) t.
+    // By the matrix of gauss:2, (6.6) of the paper, the phase is off by (h^4/720) t.
     CHECK(std::abs(row[1] - std::cos(1.0)) < 1e-4 / 720);
     CHECK(std::abs(row[2] + std::sin(1.0)) < 1e-4 / 720);
     CHECK(std::abs(row[3] - 0.5) < 1e-14);

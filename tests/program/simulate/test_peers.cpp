@@ -21,7 +21,7 @@ struct Row {
 
 using Curves = std::map<std::string, std::vector<Row>>;
 
-/// What stands in quotes here has no comma.
+/// NOTE: quoted cells have no comma here.
 Curves curves_of(const std::string& csv) {
     Curves curves;
     std::istringstream lines(csv);

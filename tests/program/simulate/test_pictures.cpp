@@ -27,7 +27,7 @@ std::size_t count_of(const std::string& text, const std::string& part) {
     return count;
 }
 
-/// Names with these indices, q and p, each of which swings for itself and begins as it is said.
+/// Names q and p with these indices. Each oscillates by itself and begins at `start`.
 std::string swinging(const std::string& ranges, const std::string& indices, const std::string& sum,
                      const std::string& start) {
     const auto family = [&](const char* name) { return name + ("[" + ranges + "]"); };
@@ -38,7 +38,7 @@ std::string swinging(const std::string& ranges, const std::string& indices, cons
            "\" = 0\n[run]\nmethod = \"stormer-verlet\"\nstep = 0.5\nuntil = 500\n";
 }
 
-/// The picture of a run, of which nothing is left but its files.
+/// Returns the picture of a run whose other files are gone.
 std::string picture_of(const std::string& scene, const std::vector<std::string>& more = {}) {
     const Directory directory;
     std::vector<std::string> words{"run", scene, "-o", "out"};
@@ -51,8 +51,8 @@ std::string picture_of(const std::string& scene, const std::vector<std::string>&
     return contents(directory / "out/picture.svg");
 }
 
-/// What gnuplot is given in place of a picture: its script, and the rows of the table of the
-/// picture.
+/// The input of gnuplot, which is kept in place of a picture: its script, and the rows of its
+/// table.
 struct Drawn {
     std::string script;
     std::vector<std::vector<double>> rows;
@@ -103,7 +103,7 @@ TEST_CASE("an image of a long chain has some of its places, and some of the step
         const double t = row < 334 ? 1.5 * static_cast<double>(row) : 500;
         REQUIRE(drawn.rows[row].size() == 335);
         CHECK(drawn.rows[row][0] == t);
-        // With this step the phase in a step is acos(1 - h^2/2).
+        // A step of this size advances the phase by acos(1 - h^2/2).
         const double swing = std::cos(t / 0.5 * std::acos(1 - 0.125));
         for (std::size_t k = 1; k < 335; ++k) {
             const double place = 3 * static_cast<double>(k);

@@ -38,7 +38,7 @@ struct ColumnOverTime {
 
 Approx nearly(double value) { return Approx(value).epsilon(1e-9).margin(1e-12); }
 
-/// A run with few rows says of its columns what one with a row for each step has in its table.
+/// Checks that a run with few rows has the reductions of a table with a row for each step.
 void reduces_as_table(const std::string& words, const std::string& few, const std::string& column) {
     CAPTURE(words, column);
     use_cache();

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <cmath>
 #include <fstream>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -141,7 +142,7 @@ TEST_CASE("columns of a run are those of the whole table, in the order wished fo
     CHECK(all[0].find("t,x[1],x[2],x[3],") == 0);
     CHECK(some[0] == "t,momentum_y,y[2],y[3],energy,px[6]");
     for (std::size_t k = 1; k < all.size(); ++k) {
-        // Of 18 coordinates, and as many momenta; of the energy, of six invariants, and of the
+        // There are columns for 18 coordinates and as many momenta, the energy, six invariants, and
         // three ways to turn the centre of mass.
         const auto whole = numbers_of(all[k]);
         REQUIRE(whole.size() == 1 + 36 + 7 + 3);
@@ -182,12 +183,56 @@ until  = 1
             if (line.rfind(name + " ", 0) == 0) return line.substr(line.find(';') + 2);
         return std::string();
     };
-    CHECK(said("momentum_map_1") == "conserved");
+    CHECK(said("J1") == "conserved");
     CHECK(said("energy") == "not conserved exactly by this method");
     const std::string wrong =
         "{wrong, H} = px^2-4*x^4-4*x^2*y^2 is not zero as a function of q and p";
     CHECK(said("wrong").rfind(wrong + "; on this run wrong changed by ", 0) == 0);
     CHECK(outcome.err.find("warning: the invariant `wrong`: " + wrong) != std::string::npos);
+}
+
+TEST_CASE("a run names momentum maps as symmetries does") {
+    use_cache();
+    const Directory directory;
+    // x = (1, 2, 3) and p = (2, 3, 5) have the angular momenta 3-4, 5-6 and 10-9 for these pairs.
+    write(directory / "space.toml", R"(coordinates = ["x", "y", "z"]
+momenta     = ["px", "py", "pz"]
+hamiltonian = "(px^2+py^2+pz^2)/2 + (x^2+y^2+z^2)^2"
+[invariants]
+spin = "x*py - y*px"
+[initial]
+x  = 1
+y  = 2
+z  = 3
+px = 2
+py = 3
+pz = 5
+[run]
+method = "gauss:2"
+step   = "1/10"
+until  = 1
+)");
+    const auto found = hvi_gen({"symmetries", "space.toml"}, directory.path());
+    const auto run = hvi_gen({"run", "space.toml", "--only", "summary"}, directory.path());
+    REQUIRE(run.status == 0);
+    const std::map<std::string, double> values{
+        {"x*py-y*px", -1}, {"x*pz-z*px", -1}, {"y*pz-z*py", 1}};
+    std::size_t maps = 0;
+    for (const std::string& line : lines_of(found.out)) {
+        if (line.rfind("  J", 0) != 0) continue;
+        const std::string name = line.substr(2, 2),
+                          map = line.substr(line.find_first_not_of(' ', 4));
+        CAPTURE(name, map);
+        ++maps;
+        std::string value;
+        for (const std::string& each : lines_of(run.out))
+            if (each.rfind(name + " ", 0) == 0) value = each.substr(each.find_first_not_of(' ', 2));
+        if (map == "x*py-y*px")
+            CHECK(value.empty());
+        else
+            CHECK(std::stod(value) == Approx(values.at(map)));
+    }
+    CHECK(maps == 3);
 }
 
 TEST_CASE("what is conserved on the energy of a run alone is said to be just that") {
@@ -387,7 +432,7 @@ TEST_CASE("a program is compiled once") {
 TEST_CASE("a run that stops keeps what there is, and says so") {
     use_cache();
     const Directory directory;
-    // It is at infinity before t = 2.
+    // The body is at infinity before t = 2.
     write(directory / "escape.toml",
           "coordinates = [\"q\"]\nmomenta = [\"p\"]\n"
           "hamiltonian = \"p^2/2 - q^4/4\"\n"
@@ -439,7 +484,7 @@ TEST_CASE("a disk that is full, and a machine without gnuplot") {
     const Directory directory;
     const std::string run = "hvi-gen run henon-heiles -o out --until 500";
     REQUIRE(shell(run + " --only summary", directory.path()).status == 0);
-    // As on a full disk, writing fails when the file has this size.
+    // Writing fails when the file has this size, as it does on a full disk.
     const Outcome full = shell("ulimit -f 16; " + run, directory.path());
     CHECK(full.status == 3);
     CHECK(full.err.find("error: cannot write out/") == 0);

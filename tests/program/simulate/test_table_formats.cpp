@@ -37,7 +37,7 @@ Records records_in(const std::string& file) {
     return result;
 }
 
-/// Both tables of a run, which are the same numbers.
+/// Checks that both tables of a run have equal numbers.
 void agree(const std::string& words, const std::string& header) {
     use_cache();
     const Directory directory;

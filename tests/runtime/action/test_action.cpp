@@ -50,7 +50,7 @@ struct OneStep {
     double H;
 };
 
-/// By which power of h something falls.
+/// Returns the power of h with which a value falls.
 double exponent(double at_h, double at_half_h) { return std::log2(std::abs(at_h / at_half_h)); }
 
 // ---- the exact discrete Hamiltonian ----
@@ -58,8 +58,8 @@ double exponent(double at_h, double at_half_h) { return std::log2(std::abs(at_h 
 /// q, p and the integral of p dq - H dt of one degree of freedom.
 using Flow = std::array<double, 3>;
 
-/// By the classical Runge-Kutta method in many small steps, which shares nothing with ours. The
-/// slopes are a function of the time and q and p.
+/// Solves by the classical Runge-Kutta method in many small steps, independently of our steppers.
+/// The slopes are a function of the time and q and p.
 template <class Slopes>
 Flow flow(Slopes slopes, double q, double p, double t, double h) {
     constexpr int steps = 200;
@@ -133,7 +133,7 @@ void check_composed() {
 
 // ---- promises ----
 
-/// What (3.13) says of each step of a run.
+/// Checks (3.13) for each step of a run.
 template <class Stepper>
 void check_run(typename Stepper::State x, double h) {
     Stepper stepper;
@@ -156,7 +156,7 @@ bool went_on(const Stepper& stepper, const typename Stepper::State& before, doub
     return true;
 }
 
-/// What leaves both members as they were, and what makes the action begin anew.
+/// Checks that some calls leave both members unchanged, and that others restart the action.
 template <class Stepper>
 void check_promises(typename Stepper::State x, double h) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -192,8 +192,8 @@ void check_promises(typename Stepper::State x, double h) {
     CHECK(stepper.action() == stepper.generating_function());
 }
 
-/// The force has a square root of t: forward from t = 0.01, back to before 0. The state, the bits
-/// of which stay, is the one at which the last good step has ended.
+/// NOTE: the force has a square root of t: forward from t = 0.01, back to before 0. The state keeps
+/// the bits of the end of the last good step.
 template <class Composed, class Stepper>
 void check_later_failure() {
     Stepper alone;
@@ -229,8 +229,8 @@ TEST_CASE("H = q p has H_d^+ = R(h) q_0 p_1, R being the function of stability")
     }
 }
 
-// With d = 1 - h^2/2 the step has q_1 = (q_0 + h p_1)/d and p_0 = p_1 + h (q_0 + q_1)/2, of which
-// H_d^+ is the integral; the 3 in H adds 3 h.
+// For d = 1 - h^2/2 the step has q_1 = (q_0 + h p_1)/d and p_0 = p_1 + h (q_0 + q_1)/2, and H_d^+
+// is their integral; the 3 in H adds 3 h.
 TEST_CASE("the oscillator with Stormer and Verlet's method") {
     const VerletOscillator::State start{{0.75}, {-1.25}};
     for (const double h : {0.1, 0.5, -0.5}) {

@@ -53,8 +53,8 @@ double distance(const Vector& a, const Vector& b) {
     return largest;
 }
 
-/// One run by an H and by its L. Each step of the latter begins where that of the former does, bit
-/// for bit, so that no chaos comes between them.
+/// Compares a run by an H with one by its L. Each step of the latter begins where the step of the
+/// former does, bit for bit, so that chaos does not separate them.
 template <class OfH, class OfL>
 void check_proposition(double h) {
     OfH hamiltonian;

@@ -27,8 +27,8 @@ typename Stepper::State end_of(typename Stepper::State x, long double until, int
     return x;
 }
 
-/// By how much halving the steps brings the end nearer to its limit, twice, as a power of two.
-/// Scalars are long double.
+/// Returns the observed order: the power of two by which halving the steps, twice, brings the end
+/// nearer to its limit. Scalars are long double.
 template <class Stepper>
 double order(const typename Stepper::State& start, long double until, int steps) {
     const auto a = end_of<Stepper>(start, until, steps),

@@ -29,7 +29,7 @@ double order(Wide until, int steps) {
     return hvi::tests::order<Stepper>(Stepper::initial(), until, steps);
 }
 
-/// Of dH/dq in a step, but for the first.
+/// Returns evaluations of dH/dq a step, without the first evaluation of all.
 template <class Stepper>
 double evaluations() {
     Stepper stepper;
@@ -62,7 +62,7 @@ TEST_CASE("they evaluate a force for each of their steps") {
 TEST_CASE("implicit steps") {
     CHECK(order<BasicNonseparableYoshida6<Wide>>(2, 100) == Approx(6).margin(0.05));
     CHECK(order<BasicNonseparableBlanesMoan6<Wide>>(2, 50) == Approx(6).margin(0.1));
-    // Of a method of order 4 that is composed for order 8.
+    // A method of order 4 is composed for order 8.
     CHECK(order<BasicKeplerGaussKahanLi8<Wide>>(3, 100) == Approx(8).margin(0.1));
 }
 

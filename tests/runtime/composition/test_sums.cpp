@@ -66,7 +66,8 @@ bool same(const StateOf& x, const StateOf& y) {
     return hvi::detail::same_bits(x.q, y.q) && hvi::detail::same_bits(x.p, y.p);
 }
 
-/// How far doubles get away from the same steps in long double, relative to the size of q and p.
+/// Returns the distance of doubles from equal steps in long double, relative to the size of q and
+/// p.
 template <template <class, class> class Stepper>
 double rounding(double h, int count) {
     Stepper<double, std::array<double, 2>> stepper;
@@ -101,7 +102,7 @@ double usual_rounding(double h, int count) {
     return std::sqrt(sum / runs);
 }
 
-/// An edit of one number, and what a new stepper makes of it.
+/// Checks an edit of one number against a new stepper.
 template <class Stepper, class Edit>
 void check_edit(const Edit& edit) {
     Stepper stepper;
@@ -126,7 +127,7 @@ void check_memory() {
     check_edit<Stepper>([](State& x) { x.p[0] = std::nextafter(x.p[0], 9.0); });
     check_edit<Stepper>([](State& x) { x.p[1] = std::nextafter(x.p[1], 9.0); });
 
-    // What there is to be forgotten shows in the bits.
+    // Remembered values show in the bits.
     Stepper stepper, forgetful, unasked;
     State x = in_well, y = in_well;
     REQUIRE(steps(stepper, x, 0.0625, 50));

@@ -1,4 +1,4 @@
-// What becomes of the energy where a compiler makes one operation of a product and a sum.
+// The energy where a compiler contracts a product and a sum to one operation.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <cmath>
 
@@ -11,7 +11,7 @@ namespace generated = hvi::generated;
 
 namespace {
 
-/// Of 100 000 steps, as a part of it.
+/// Returns the relative change in 100 000 steps.
 template <class Stepper, class State>
 double change_of_energy(Stepper stepper, State x) {
     const double before = stepper.energy(x);
@@ -23,7 +23,7 @@ double change_of_energy(Stepper stepper, State x) {
 
 }  // namespace
 
-// With h v rounded in the stages alone, it changes by 8e-14 in each of them.
+// NOTE: if h v were rounded in the stages alone, the energy would change by 8e-14 in each case.
 TEST_CASE("the energy of linear springs does not drift") {
     generated::Springs::Parameters parameters;
     parameters.N = 16;

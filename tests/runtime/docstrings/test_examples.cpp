@@ -1,4 +1,4 @@
-// What the docstrings of public headers show compiles, and is so.
+// The examples in docstrings of public headers compile, and are right.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <catch2/catch.hpp>
 

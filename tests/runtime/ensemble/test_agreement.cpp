@@ -13,8 +13,8 @@ namespace {
 
 constexpr double h = 1.0 / 64;
 
-/// The largest difference of components, in units of the rounding of the largest; infinite unless
-/// both are of the same time, bit for bit.
+/// Returns the largest difference of components, in units of the rounding of the largest; infinite
+/// unless both have equal times, bit for bit.
 template <class State>
 double distance(const State& x, const State& y) {
     double largest = 0, difference = 0;
@@ -29,7 +29,7 @@ double distance(const State& x, const State& y) {
     return difference / (largest * 0x1p-52);
 }
 
-/// What one step of each does, from the same states.
+/// Compares one step of both kinds, from equal states.
 template <class Pair>
 void compare_steps(int most_iterations_apart) {
     const auto x = starts<typename Pair::Many>(64);

@@ -1,4 +1,4 @@
-// What becomes of a trajectory depends on itself alone.
+// The bits of a trajectory depend on itself alone.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <algorithm>
 #include <numeric>
@@ -23,7 +23,7 @@ hvi::Ensemble<Many> run(const std::vector<typename Many::Trajectory>& x, unsigne
     return ensemble;
 }
 
-/// Whether trajectory i of `a` has become what j of `b` has.
+/// Whether trajectory i of `a` equals trajectory j of `b`.
 template <class Ensemble>
 bool same(const Ensemble& a, std::size_t i, const Ensemble& b, std::size_t j) {
     return same_bits(a.state(i), b.state(j)) && a.status(i).code() == b.status(j).code() &&

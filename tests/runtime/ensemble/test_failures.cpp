@@ -60,7 +60,7 @@ TEMPLATE_TEST_CASE("one that falls into the sun", "", VerletKepler, Gauss4Kepler
     if (std::is_same_v<TestType, VerletKepler>) { CHECK(ensemble.steps(9) == taken); }
     check_others(ensemble, x, h, steps, 9);
 
-    // It stays where it stopped.
+    // The trajectory stays where it stopped.
     const auto at = ensemble.state(9);
     const std::int64_t steps_before = ensemble.steps(9);
     const Code code = ensemble.status(9).code();

@@ -13,7 +13,7 @@ namespace {
 
 using Lane = hvi::Lanes<double, 8>;
 
-/// The same number among others gives the same bits, wherever it stands.
+/// Whether a number has equal results at any place among others.
 template <class F>
 bool is_of_each_alone(F f, double least, double most) {
     std::mt19937 random(5);

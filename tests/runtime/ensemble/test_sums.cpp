@@ -11,8 +11,8 @@ using namespace ensemble_test;
 
 namespace {
 
-/// How far an ensemble of doubles gets away from steppers of one trajectory in long double, from
-/// the same doubles: the largest distance, relative to the size of q and p.
+/// Returns the largest distance of an ensemble of doubles from steppers of one trajectory in long
+/// double, relative to the size of q and p. Both start at equal doubles.
 template <class Many, class WideOne>
 double rounding(double h, int steps) {
     const auto x = starts<Many>(10);

@@ -123,7 +123,7 @@ TEST_CASE("a ball jumps for a thousand times without losing height") {
 }
 
 TEST_CASE("bounces that accumulate end the run where they do") {
-    // With the restitution 1/2 bounces are at 1, 2, 2 1/2, ... and come to an end at 3.
+    // For the restitution 1/2 bounces are at 1, 2, 2 1/2, ... and come to an end at 3.
     Floor floor{0.5};
     BallStepper stepper;
     BallState x{{0.5}, {0.0}};

@@ -25,8 +25,8 @@ using namespace float128;
 
 namespace {
 
-/// The periods from the starts of the scenes. That of the pendulum is 4 K(sin(q/2)), that of
-/// (q^2 + 1)(p^2 + 1)/2 = 5 is 4 K(3/sqrt(10))/sqrt(10), and K(k) = pi/(2 mean(1, sqrt(1 - k^2))).
+/// Returns the periods from the starts of the scenes. The pendulum has the period 4 K(sin(q/2)),
+/// (q^2 + 1)(p^2 + 1)/2 = 5 has 4 K(3/sqrt(10))/sqrt(10), and K(k) = pi/(2 mean(1, sqrt(1 - k^2))).
 Widest period_of_kepler() { return 2 * pi(); }
 Widest period_of_pendulum() { return 2 * pi() / mean(1, hvi::math::cos(ratio(3, 4))); }
 Widest period_of_nonseparable() { return 2 * pi() / mean(hvi::math::sqrt(Widest(10)), 1); }

@@ -62,7 +62,7 @@ double error(double from, double to, F f, Exact exact) {
 
 bool is_same(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
 
-/// Whether a function of lanes is in each what it is of that number alone.
+/// Whether a function of lanes has in each lane the value of that number alone.
 template <class F, class Alone>
 bool is_alone(F f, Alone alone, const std::array<double, 8>& x) {
     const auto y = in_lanes(x, f);

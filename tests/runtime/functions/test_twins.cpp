@@ -44,7 +44,7 @@ hvi::Status step(Stepper& stepper, typename Stepper::State& x, double h) {
     return stepper.step(x, static_cast<typename Stepper::Scalar>(h));
 }
 
-/// The distance after so many steps from the same state.
+/// Returns the distance after `steps` steps from equal states.
 template <class A, class B>
 double apart(A a, B b, double h, int steps) {
     auto x = A::initial();
@@ -118,8 +118,8 @@ TEST_CASE("trajectories on both sides of a kink go side by side") {
 }
 
 TEST_CASE("derivatives on all sides of kinks, where what is not chosen has none") {
-    // Of 2|q| + 3 sign(s) + 5 min(q, s^2) + 7 max(q, s) + 11 if(q<0, q^3, sqrt(q))
-    // + 13 if(s>=1, log(s), 0), by hand.
+    // Derivatives of 2|q| + 3 sign(s) + 5 min(q, s^2) + 7 max(q, s) + 11 if(q<0, q^3, sqrt(q)) + 13
+    // if(s>=1, log(s), 0), by hand.
     const std::vector<std::vector<double>> known{
         {4, 3, 2 + 5 + 7 + 11.0 / 4, 13.0 / 3},  // q < s^2, s < q
         {4, 1, 2 + 7 + 11.0 / 4, 10 + 13},       // s^2 < q, at s = 1

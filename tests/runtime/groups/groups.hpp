@@ -1,4 +1,4 @@
-// What tests of rotations have in common.
+// Common parts of the tests of rotations.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -27,7 +27,7 @@ typename Stepper::State end(double time, int count) {
     return x;
 }
 
-/// Of all numbers of two states, whatever steppers they are of.
+/// Returns the distance of all numbers of two states, of any steppers.
 template <class Stepper, class Other>
 double distance(const typename Stepper::State& x, const typename Other::State& y) {
     const auto a = hvi::detail::numbers<Stepper>(x);

@@ -52,7 +52,7 @@ double integral(F f, double t, int parts) {
     return sum;
 }
 
-/// Of two angles, in turns that do not count.
+/// Returns the distance of two angles modulo whole turns.
 double apart(double a, double b) { return std::abs(std::remainder(a - b, 2 * std::acos(-1.0))); }
 
 }  // namespace

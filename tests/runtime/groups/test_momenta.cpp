@@ -1,5 +1,5 @@
-// What steps in natural charts keep: momentum maps to round-off, and rotations (Theorem 5.3, Lemmas
-// 5.4 and 5.5).
+// Conservation by steps in natural charts: momentum maps to round-off, and rotations (Theorem 5.3,
+// Lemmas 5.4 and 5.5).
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <array>
 #include <cmath>
@@ -112,7 +112,8 @@ TEST_CASE("a spacecraft, two bodies and a row of rotors: orbital and own angular
 TEST_CASE("the energy does not drift") {
     const auto energy = [](int steps) { return seen<FreeGauss2>(0.25, steps, all_of_J).energy; };
     CHECK(energy(40000) < 1.02 * energy(4000));
-    // Of order 8 in steps that leave rounding alone, which wanders as its square root at most.
+    // A method of order 8, in steps whose only error is rounding, which grows as their square root
+    // at most.
     const auto rounding = seen<TopGauss4>(0.02, 100000, [](const auto& stepper, const auto& x) {
         return std::array{stepper.J_z(x)};
     });

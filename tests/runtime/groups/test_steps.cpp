@@ -1,4 +1,4 @@
-// What steps of rotations promise at their edges: statuses, memory, solvers, numbers.
+// Promises of steps of rotations at their edges: statuses, memory, solvers, numbers.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <array>
 #include <cmath>

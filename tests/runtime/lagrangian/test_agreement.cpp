@@ -28,7 +28,8 @@ using hvi::math::Widest;
 
 namespace {
 
-/// The largest distance of both along so many steps from the same start, as a multiple of epsilon.
+/// Returns the largest distance of both in `steps` steps from equal starts, as a multiple of
+/// epsilon.
 template <class OfLagrangian, class OfHamiltonian>
 double distance(double h, int steps) {
     using Scalar = typename OfLagrangian::Scalar;
@@ -52,7 +53,8 @@ double distance(double h, int steps) {
     return static_cast<double>(largest / hvi::detail::epsilon<Scalar>);
 }
 
-/// The largest distance between the curves of both, over some steps, each from the same state.
+/// Returns the largest distance between the curves of both, over some steps, each from equal
+/// states.
 template <class OfLagrangian, class OfHamiltonian>
 double distance_of_curves(double h) {
     OfLagrangian left;

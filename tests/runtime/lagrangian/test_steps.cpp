@@ -1,4 +1,4 @@
-// What steppers of Lagrangian scenes promise beside Proposition 4.1.
+// Promises of steppers of Lagrangian scenes beside Proposition 4.1.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <algorithm>
 #include <array>
@@ -195,7 +195,8 @@ TEST_CASE("a step that has no solution leaves the state and says why") {
 }
 
 TEST_CASE("stages come to rest with their velocities, not with their positions alone") {
-    // With positions alone the energy falls by 8e-17 of itself a step, to 1.6e-13.
+    // NOTE: if iterations ended when the positions rest, the energy would fall by 8e-17 of itself
+    // a step, to 1.6e-13.
     LagrangianSpherical stepper;
     auto x = LagrangianSpherical::initial();
     const double energy = stepper.energy(x);

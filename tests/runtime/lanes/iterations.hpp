@@ -4,7 +4,7 @@
 
 #include <catch2/catch.hpp>
 
-/// Of so many steps from x, of all that is tried in one.
+/// Returns the iterations a step, including failed attempts, over `steps` steps from x.
 template <class Stepper>
 double iterations(Stepper stepper, typename Stepper::State x, double h, int steps) {
     long count = 0;

@@ -1,4 +1,4 @@
-// Which way the stages in lanes are solved for, and when corrections end.
+// The choice of a solver for stages in lanes, and the end of corrections.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <cmath>
 
@@ -13,7 +13,7 @@ namespace {
 using contracting::CountedNewton;
 using contracting::Vector;
 
-/// Corrections change W by `corrected_rate` times what is left.
+/// Stages in which corrections multiply errors of W by `corrected_rate`.
 struct Stages : contracting::Stages {
     double corrected_rate = 0.1, start = 0;
     int corrections = 0, factors = 0;
@@ -89,7 +89,7 @@ TEST_CASE("factors are those of one step size, also where steps of several sizes
 
 namespace {
 
-/// Of equations with a linear part, and whose factors cost too much to be tried.
+/// Equations with a linear part, whose factors cost too much for a trial.
 struct CoupledWithLinear : Coupled {
     struct Linear {
         bool factorise(CoupledWithLinear&) const { return true; }
@@ -221,7 +221,7 @@ TEST_CASE("what is spent counts the factors, and stops what is not worth it") {
     CHECK(sweeps.spent() == 3 * stages.corrections + 10 * stages.factors);
     CHECK(sweeps.spent() >= 50);
     CHECK(sweeps.spent() < 50 + 13);
-    // Those of the step size alone are not.
+    // NOTE: factors that depend on the step size alone are not computed anew.
     stages.factors = 0;
     stages.W = 0;
     REQUIRE(sweeps.solve<false>(coupled, coupled.corrections, {3, 0, 400}).ok());

@@ -100,9 +100,9 @@ TEST_CASE("a matrix that is singular, nearly so, or no matrix is refused") {
 
 namespace {
 
-/// The tableau of gauss:2, whose A has the eigenvalues 1/4 +- i/sqrt(48), and A^2 1/24 +-
-/// i/sqrt(192) (Hairer & Wanner, Solving Ordinary Differential Equations II, IV.5), with the same
-/// eigenvectors (1, -+i (2 + sqrt 3)).
+/// The tableau of gauss:2. A has the eigenvalues 1/4 +- i/sqrt(48), and A^2 1/24 +- i/sqrt(192)
+/// (Hairer & Wanner, Solving Ordinary Differential Equations II, IV.5); both have the eigenvectors
+/// (1, -+i (2 + sqrt 3)).
 constexpr double root = 1.7320508075688772;
 constexpr double half[2] = {0.5, 0.5};
 constexpr double times[2] = {0.5 - root / 6, 0.5 + root / 6};
@@ -264,7 +264,7 @@ TEST_CASE("one correction of what is stiff solves that, and leaves the rest to t
 
 namespace {
 
-/// The same matrix, constant; how often it is asked for.
+/// Positions whose matrix is constant; counts how often it is asked for.
 struct ConstantPositions : Positions {
     int& asked;
 

@@ -64,7 +64,7 @@ double distance(const Exact& x, const Exact& y) {
     return static_cast<double>(std::abs((x - y).hi) * 0x1p100L);
 }
 
-/// The sum of the kicks of component k as they are rounded, and what they add to factor p.
+/// The exact sum of the rounded kicks of component k: `factor` times its change.
 struct Kicked {
     double factor;
     Exact kicks{};

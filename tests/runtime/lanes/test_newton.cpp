@@ -54,7 +54,7 @@ using PositionStages = hvi::detail::VelocityLanes<Two, 2>;
 struct Positions {
     const Springs& system;
     PositionStages& s;
-    mutable int hessians = 0;  ///< that were evaluated
+    mutable int hessians = 0;  ///< evaluated Hessians
 
     static constexpr bool has_q = true, has_p = false;
     static constexpr std::size_t stages = 2;

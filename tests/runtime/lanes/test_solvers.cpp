@@ -57,9 +57,9 @@ double change_of_energy(double h, int steps) {
 
 }  // namespace
 
-// Those of a program of its own, in which nothing is shared with these headers, for the form of
-// positions: 23.5 and, where fixed points diverge, none; with the linear part solved exactly 6.2
-// and 8.9. One more iteration ends each of ours, and trials of other ways are counted.
+// The bounds are from an independent program, which shares nothing with these headers, for the form
+// of positions: 23.5 and, where fixed points diverge, none; with the linear part solved exactly 6.2
+// and 8.9. Our steppers take one more iteration to end, and trials of other solvers count.
 TEST_CASE("where the linear part is solved exactly, sweeps do not depend on h omega") {
     CHECK(iterations_of_scene<FpuPlain>(0.1, 200) > 25);
     CHECK(iterations_of_scene<FpuLanes>(0.1, 1000) < 11);

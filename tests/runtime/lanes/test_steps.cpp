@@ -246,10 +246,10 @@ TEMPLATE_TEST_CASE("what two steps left is forgotten with the state, and with th
 }
 
 TEST_CASE("iterations do not depend on the machine") {
-    // Those of a program written by hand for these methods, with the same starting values and
-    // the same end of an iteration: 6.43 and 4.91 a step on Kepler's problem; where starting values
-    // come from two steps 4.20 and 6.95, and of four stages, by least squares, 6.55 on the pendulum
-    // and 11.68 where both slopes come from the same Q and P, to which a nudge adds three quarters.
+    // The numbers are from a program written by hand for these methods, with equal starting values
+    // and ends of iterations: 6.43 and 4.91 a step on Kepler's problem; where starting values come
+    // from two steps 4.20 and 6.95; for four stages, by least squares, 6.55 on the pendulum, and
+    // 11.68 where both slopes come from equal Q and P, to which a nudge adds three quarters.
     const double orbit = 8 * std::atan(1.0);
     CHECK(iterations(Kepler8Lanes{}, Kepler8Lanes::initial(), orbit / 20, 2000) ==
           Approx(6.43).margin(0.1));

@@ -64,7 +64,7 @@ double apart_in_steps() {
     return most;
 }
 
-/// By how much the matrices of a state are no rotations.
+/// Returns the distance of the matrices of a state from rotations.
 double distance_from_rotations(const Vector& q, std::size_t first) {
     double most = 0;
     for (std::size_t r = first; r < q.size(); r += 9) {

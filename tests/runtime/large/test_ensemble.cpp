@@ -42,7 +42,8 @@ std::vector<State> starts(const typename Stepper::Parameters& parameters, std::s
     return result;
 }
 
-/// Each trajectory is that of a fresh stepper in each call, on any number of threads.
+/// Checks that each trajectory equals that of a fresh stepper in each call, on any number of
+/// threads.
 template <class Stepper>
 void check_trajectories(const typename Stepper::Parameters& parameters) {
     std::vector<State> begin = starts<Stepper>(parameters, 7);

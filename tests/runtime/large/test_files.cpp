@@ -33,7 +33,7 @@ public:
 
     [[nodiscard]] std::string path() const { return path_.string(); }
 
-    /// What is said of a file for the scene; empty where all is well.
+    /// Returns the error for a file of the scene; empty where all is well.
     [[nodiscard]] std::string fault(const std::string& bytes) const {
         write("filed.csv", bytes);
         try {

@@ -288,7 +288,7 @@ TEST_CASE("names mean what they mean in the scene, whatever they mean around it"
 
 namespace {
 
-/// Neither a step nor the energy looks at what is not there.
+/// Checks that neither a step nor the energy reads beyond the state.
 template <class Stepper>
 void check_mismatch(const typename Stepper::Parameters& parameters, const State& start) {
     Stepper stepper(parameters);

@@ -33,7 +33,8 @@ const Real pi = std::acos(Real(-1));
 
 Real real(std::size_t i) { return static_cast<Real>(i); }
 
-/// What a step of Gauss' method makes of exp(z t): the diagonal Pade approximation of exp(z).
+/// Returns the factor of exp(z t) in a step of Gauss' method: the diagonal Pade approximation of
+/// exp(z).
 template <int stages>
 Complex growth(Complex z) {
     const Complex even = stages == 2 ? 1.0L + z * z / 12.0L : 1.0L + z * z / 10.0L;
@@ -41,7 +42,7 @@ Complex growth(Complex z) {
     return (even + odd) / (even - odd);
 }
 
-/// Of q'' = -omega^2 q, with q + i p/omega = w: after so many steps of size h.
+/// Solves q'' = -omega^2 q, with q + i p/omega = w, for `steps` steps of size h.
 template <int stages>
 Complex turned(Complex w, Real omega, Real h, int steps) {
     for (int step = 0; step < steps; ++step) { w *= growth<stages>(Complex(0, -omega * h)); }
@@ -52,7 +53,7 @@ Complex turned(Complex w, Real omega, Real h, int steps) {
 struct Mode {
     std::vector<Real> shape;
     Real omega;
-    Complex start;  ///< of q + i p/omega
+    Complex start;  ///< q + i p/omega at the start
 };
 
 /// The sum of modes after some steps, each of few iterations: with the right factors the second

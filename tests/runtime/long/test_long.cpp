@@ -61,7 +61,7 @@ TEST_CASE("a step back returns, for self-adjoint methods only") {
 }
 
 TEST_CASE("the energy of Gauss on the oscillator walks at random, it does not drift") {
-    // With coefficients rounded one by one it drifts, to 1.3e-13 here.
+    // NOTE: with coefficients rounded one by one the energy would drift, to 1.3e-13 here.
     Gauss2<systems::Oscillator> stepper;
     hvi::State<systems::One> x{{2.0}, {1.0}};
     double worst = 0.0;

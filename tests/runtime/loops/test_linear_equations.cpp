@@ -21,7 +21,8 @@ using Matrix = SparseMatrix<double>;
 
 double some(std::size_t k) { return std::sin(2.7 * static_cast<double>(k) + 0.3); }
 
-/// What couples i with i + distance, for each of the distances, around a ring or not.
+/// Returns a matrix that couples i with i + distance, for each of the distances, around a ring or
+/// not.
 Matrix coupled(std::size_t n, const std::vector<std::size_t>& distances, bool is_ring) {
     const auto entries = [&](auto& out) {
         for (std::size_t i = 0; i < n; ++i) {

@@ -174,7 +174,7 @@ private:
 
 // ---- by hand: bonds are summed one after the other, into a vector of their own ----
 
-/// A bond of the positions q[i] and q[j], of which V(q[j] - q[i]) is the energy.
+/// Adds the forces of a bond of the positions q[i] and q[j] with the energy V(q[j] - q[i]).
 void pull(const Vector& q, std::size_t i, std::size_t j, Vector& gradient) {
     const double f = spring(q[j] - q[i]);
     gradient[i] -= f;
@@ -304,8 +304,8 @@ double farthest(const State& x, const State& y) {
 
 bool same(const State& x, const State& y) { return x.q == y.q && x.p == y.p; }
 
-/// All methods, plain and compensated, agree with loops by hand; the bits do not depend on threads
-/// nor those of plain sums on the number of calls.
+/// Checks that all methods, plain and compensated, agree with loops by hand; that the bits do not
+/// depend on threads; and that those of plain sums do not depend on the number of calls.
 template <class System>
 void agree(const System& system, std::size_t size, const ByHand& hand) {
     const int steps = size > 10000 ? 3 : 20;

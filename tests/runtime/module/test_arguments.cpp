@@ -96,7 +96,7 @@ TEST_CASE("numbers in files are found from a directory") {
     CHECK(filed_status_text(status) ==
           std::string("a file with numbers of the scene cannot be read"));
     CHECK(std::string(message).find("/nowhere/filed.csv") != std::string::npos);
-    // As much of it as there is room for.
+    // The message is cut to the room that there is.
     status = filed_create_with("/nowhere", 1, nullptr, 0, &handle, message, 8);
     CHECK(status != 0);
     CHECK(std::strlen(message) == 7);

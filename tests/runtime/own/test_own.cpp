@@ -40,7 +40,7 @@ namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
-/// Of what both hold.
+/// Returns the distance of the numbers that both states have.
 template <class A, class B>
 double distance(const A& x, const B& y) {
     using Widest = hvi::math::Widest;
@@ -72,7 +72,7 @@ double apart(double h, int steps) {
     return distance(end, moved(B(), h, steps));
 }
 
-/// Of one degree of freedom.
+/// A matrix of one degree of freedom.
 struct Entry {
     double value = 0;
     double& operator()(std::size_t, std::size_t) { return value; }

@@ -23,7 +23,8 @@ public:
     }
     ~Ball() { arb_clear(x_); }
 
-    /// Exactly; what is infinite or not a number could be any number.
+    /// Returns the exact value. An infinite value, or one that is not a number, could be any
+    /// number.
     template <class S>
     static Ball of(S value) {
         Ball sum;
@@ -112,7 +113,7 @@ private:
     arb_t x_;
 };
 
-/// The distance in units of epsilon^2, relative to what is exact.
+/// Returns the distance in units of epsilon^2, relative to the exact value.
 template <class S>
 double relative_error(const hvi::detail::Pair<S>& value, const Ball& exact) {
     const Ball eps = Ball::of(hvi::detail::epsilon<S>);
@@ -126,7 +127,7 @@ double absolute_error(const hvi::detail::Pair<S>& value, const Ball& exact) {
     return ((Ball::of(value) - exact) / (eps * eps)).bound();
 }
 
-/// The distance in units in the last place of what is exact.
+/// Returns the distance in units in the last place of the exact value.
 template <class S>
 double ulps(S value, const Ball& exact) {
     return ((Ball::of(value) - exact) / exact.ulp<S>()).bound();

@@ -39,7 +39,8 @@ public:
         return std::uniform_real_distribution<double>(from, to)(generator_);
     }
 
-    /// Of any sign, and a magnitude from 2^from to 2^to, with a low part of full size.
+    /// Returns a number of any sign, with a magnitude from 2^from to 2^to, and a low part of full
+    /// size.
     template <class S>
     hvi::detail::Pair<S> pair(int from, int to) {
         const auto exponent =

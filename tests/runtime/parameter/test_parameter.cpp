@@ -183,8 +183,8 @@ TEMPLATE_TEST_CASE("what is no parameter", "", HVI_SCALARS) {
 
 namespace {
 
-/// With x/y = exp(w): (exp(w) - 1 - w)/(w (exp(w) + 1)), pi (exp(w) - 1)/w and
-/// (exp(w) - 1 - w)/w^2, and poles where exp(w) = 3, w exp(w) = 2 and -w exp(-w) = 2.
+/// Coefficients for x/y = exp(w): (exp(w) - 1 - w)/(w (exp(w) + 1)), pi (exp(w) - 1)/w and (exp(w)
+/// - 1 - w)/w^2, and poles where exp(w) = 3, w exp(w) = 2 and -w exp(-w) = 2.
 struct Exponential {
     static constexpr std::array<Phase, 1> phases{{{Phase::Kind::exponential, {{1.0}}}}};
     static constexpr std::array<Expansion, 1> constants{
@@ -293,7 +293,7 @@ struct Polynomial {
     static constexpr Code at_zero = Code::pole;
 };
 
-/// The same, where 0 is no pole: w/(w^2 - 3).
+/// A method whose coefficient has no pole at 0: w/(w^2 - 3).
 struct WithoutPoleAtZero : Polynomial {
     static constexpr Code at_zero = Code::ok;
 };

@@ -39,7 +39,7 @@ std::array<Ball, length> exact(const Series<Pair<S>, length>& series) {
     return result;
 }
 
-/// Of positive numbers, so that nothing cancels.
+/// Whether a value is near. Precondition: the terms are positive, so that nothing cancels.
 template <class S>
 bool is_near(const Pair<S>& value, const Ball& expected) {
     return expected.bound() == 0 ? value.hi == 0 : relative_error(value, expected) < 5;

@@ -170,7 +170,7 @@ struct Method {
     Nodes nodes;
 };
 
-/// What is seen of one scalar.
+/// The results for one scalar.
 struct Seen {
     int methods = 0;
     double worst = 0;

@@ -72,8 +72,8 @@ double defect(double h) {
     return largest;
 }
 
-/// The largest change, relative, in so many steps of what a map (A B; C D) with determinant 1
-/// conserves: B p^2 + (A - D) q p - C q^2.
+/// Returns the largest relative change in `steps` steps of the form that a map (A B; C D) with
+/// determinant 1 conserves: B p^2 + (A - D) q p - C q^2.
 template <class Stepper>
 double drift(double h, int steps) {
     typename Stepper::State first{{1}, {0}}, second{{0}, {1}}, x{{0.75}, {-0.5}};

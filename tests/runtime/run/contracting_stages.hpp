@@ -13,7 +13,8 @@ namespace contracting {
 
 using Vector = std::array<double, 1>;
 
-/// Q = 1 + W, W = rate Q: sweeps change Q by `rate` times what the one before did.
+/// The equations Q = 1 + W, W = rate Q: a sweep changes Q by `rate` times the change of the sweep
+/// before.
 struct Stages {
     double rate = 0.5;
     bool goes_on = true;

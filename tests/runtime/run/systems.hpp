@@ -119,7 +119,7 @@ struct Fenced {
     void dHdp(const Vector& p, Vector& out) const { out = p; }
 };
 
-/// Units in the last place between two doubles of the same sign.
+/// Returns the units in the last place between two doubles of equal signs.
 inline double ulps(double a, double b) {
     const double larger = std::fmax(std::abs(a), std::abs(b));
     if (a == b) { return 0.0; }

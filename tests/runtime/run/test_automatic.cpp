@@ -55,7 +55,7 @@ TEST_CASE("after a step that fails once, fixed points are soon tried again") {
     CHECK(run.takes_newton(never));
     CHECK(run.takes_newton(in_50_sweeps));
     for (int step = 0; step < 10; ++step) { CHECK_FALSE(run.takes_newton(in_50_sweeps)); }
-    // What has been is forgotten: the next pause is as short.
+    // The past is forgotten: the next pause is as short as the first.
     CHECK(run.takes_newton(never));
     CHECK(run.takes_newton(in_50_sweeps));
     CHECK_FALSE(run.takes_newton(in_50_sweeps));
@@ -87,7 +87,8 @@ TEST_CASE("a step from elsewhere knows nothing of pauses") {
 
 namespace {
 
-/// As Picard's iteration of a long step: changes grow tenfold in three sweeps, and then fall.
+/// Stages as in Picard's iteration of a long step: changes grow tenfold in three sweeps, and then
+/// fall.
 struct Growing : Stages {
     double W_of_sweep() {
         rate = sweeps <= 3 ? 10 : 0.1;

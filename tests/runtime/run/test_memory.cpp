@@ -1,4 +1,4 @@
-// What a stepper remembers, and that it belongs to a state.
+// The memory of a stepper, which belongs to a state.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <cmath>
 #include <cstddef>

@@ -13,7 +13,7 @@ namespace {
 /// Stages that can be nudged, and remember by what.
 struct Nudged : contracting::Stages {
     bool side = false;
-    double scale = 1;  ///< of W against Q
+    double scale = 1;  ///< the size of W against Q
     std::vector<double> factors;
     std::vector<int> sweeps_before;
 };

@@ -1,5 +1,5 @@
-// The same headers in two translation units; see second_unit.cpp. Here a header without a solver,
-// with its own copy of State and Status, comes before the runtime, there after it.
+// Equal headers in two translation units; see second_unit.cpp. Here a header without a solver, with
+// its own copy of State and Status, comes before the runtime, there after it.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <catch2/catch.hpp>
 #include <hvi/generated/gauss_2.hpp>

@@ -26,7 +26,7 @@ using scalars::Wide;
 
 namespace {
 
-/// A solver that solves nothing and keeps what the stepper would have solved with.
+/// A solver that solves nothing and keeps the coefficients that the stepper passes to it.
 template <class T>
 struct Spy {
     static constexpr int most_iterations = 1;
@@ -69,7 +69,7 @@ T ulp(T value) {
     return result;
 }
 
-/// What fifty digits leave open.
+/// The uncertainty that fifty digits leave.
 const Wide& slack() {
     static const Wide value("0." + std::string(47, '0') + "1");
     return value;

@@ -20,7 +20,7 @@ namespace {
 template <class T>
 using State = hvi::State<std::array<T, 1>>;
 
-/// The largest difference from the same steps in a format of more bits, in units of epsilon.
+/// Returns the largest difference from equal steps in a format of more bits, in units of epsilon.
 template <template <class, class> class Stepper, class T, class Longer>
 double lag(T h, int steps) {
     Stepper<scalars::Oscillator<T>, hvi::FixedPoint> stepper;
@@ -40,7 +40,7 @@ double lag(T h, int steps) {
 }  // namespace
 
 TEST_CASE("time does not run fast or slow by the rounding of the weights") {
-    // With products h b_i that are rounded one by one some of them are 3,000 to 12,000.
+    // NOTE: if products h b_i were rounded one by one, some lags would be 3,000 to 12,000.
     CHECK(lag<Gauss4, float, double>(0.1F, 100'000) < 500);
     CHECK(lag<Trig3, float, double>(0.3F, 100'000) < 500);
     CHECK(lag<Gauss4, double, long double>(0.1, 100'000) < 500);

@@ -243,7 +243,7 @@ const auto double_pendulum = [](const Jets& q, const Jets& p, Real) {
                (2 * (1 + sine * sine)) -
            19.62L * cos(q[0]) - 9.81L * cos(q[1]);
 };
-/// Of tests/runtime/scene/steppers.txt, with k = 1.
+/// The H in tests/runtime/scene/steppers.txt, with k = 1.
 const auto bead = [](const Jets& q, const Jets& p, Real t) {
     const Jet w = p[0] - std::sin(t) / 2, stretch = q[1] - 0.25L * q[0];
     return ((2 + std::cos(t)) / 6) * (w * w * (1 + 0.25L * q[0] * q[0])) + 0.5L * p[1] * p[1] +
@@ -263,7 +263,8 @@ double energy_error(double h, int steps) {
     return largest;
 }
 
-/// By which power of h the error falls at t = 1, from a step of 1/steps to half of it.
+/// Returns the power of h with which the error falls at t = 1, from a step of 1/steps to half of
+/// it.
 template <class Stepper>
 double order(int steps) {
     const auto end = [](auto stepper, int count) {
@@ -353,7 +354,7 @@ TEST_CASE("steps of a composition are steps of the rule in a row") {
     CHECK(std::abs(x.q[0] - y.q[0]) < 1e-13);
     CHECK(std::abs(x.p[0] - y.p[0]) < 1e-13);
     CHECK(order<CurveComposed>(8) == Approx(6).margin(0.3));
-    // With a quadratic kinetic energy too: yoshida:4.
+    // A quadratic kinetic energy: yoshida:4.
     CurveComposedPendulum quadratic;
     const Rule rule(2, gauss_nodes(3));
     const auto pendulum = [](const Jets& q, const Jets& p, Real) {

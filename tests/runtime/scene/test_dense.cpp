@@ -51,8 +51,8 @@ struct Table {
     std::function<double(std::size_t j, double tau)> integral;
 };
 
-/// Of the polynomials that are 1 at c_j and 0 at the other nodes, by Simpson's rule, which is exact
-/// for up to four nodes.
+/// Returns the integrals of the polynomials that are 1 at c_j and 0 at the other nodes, by
+/// Simpson's rule, which is exact for up to four nodes.
 auto of_polynomials(const std::vector<double>& c) {
     return [c](std::size_t j, double tau) {
         const auto phi = [&](double x) {
@@ -223,7 +223,7 @@ void compare_with_the_general_form(const Rule& rule, double h) {
 
 // ---- the exact solution ----
 
-/// By the classical Runge-Kutta method in many small steps, which shares nothing with ours.
+/// Solves by the classical Runge-Kutta method in many small steps, independently of our steppers.
 template <class Stepper>
 typename Stepper::State flow(typename Stepper::State x, double time) {
     const typename Stepper::System system{typename Stepper::Parameters{}};

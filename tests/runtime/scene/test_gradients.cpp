@@ -10,7 +10,7 @@
 
 namespace {
 
-/// By Richardson's extrapolation of central differences.
+/// Returns the derivative by Richardson's extrapolation of central differences.
 template <class F>
 double derivative(F f, double x, double d) {
     const auto central = [&](double e) { return (f(x + e) - f(x - e)) / (2 * e); };

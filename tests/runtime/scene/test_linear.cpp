@@ -35,7 +35,7 @@ struct Matrix {
     double a, b, c, d;
 };
 
-/// Of a map without offset.
+/// Returns the matrix of a map without offset.
 template <class Stepper>
 Matrix matrix(Stepper& stepper, double h) {
     typename Stepper::State first{{1.0}, {0.0}};
@@ -123,7 +123,7 @@ double difference(Iterated iterated) {
     return scenes::distance_of_states(x, y);
 }
 
-/// After x was edited, and after reset(), the next step is that of a fresh stepper.
+/// Checks that after an edit of x, and after reset(), the next step equals that of a fresh stepper.
 template <class Stepper>
 void check_forgetting(const Stepper& stepper, const typename Stepper::State& x) {
     for (const bool is_edited : {true, false}) {
@@ -378,7 +378,7 @@ TEST_CASE("steps that a matrix does not have leave the state") {
     CHECK(stepper.step(lost, 1.0).code() == Code::not_finite);
     CHECK(scenes::same_bits(lost, before));
 
-    // What failed has left nothing behind.
+    // A failed step leaves nothing behind.
     Hyperbolic::State fresh = start;
     REQUIRE(stepper.step(x, 1.0).ok());
     REQUIRE(Hyperbolic().step(fresh, 1.0).ok());

@@ -62,7 +62,7 @@ struct Stiff {
     void d2Hdp2(const Vector&, Eigen::MatrixXd& out) const { out << 0.5, 0.25, 0.25, 1; }
 };
 
-/// Of so many steps; fails where one does.
+/// Returns the iterations a step over `steps` steps; fails where a step fails.
 template <class Stepper>
 double iterations_per_step(Stepper& stepper, typename Stepper::State& x, double h, int steps) {
     int iterations = 0;
@@ -130,7 +130,7 @@ typename Stepper::State bead() {
     return x;
 }
 
-/// Of the two degrees of freedom of the bead.
+/// Returns the distance of the two degrees of freedom of the bead.
 template <class A, class B>
 double distance_of_beads(const A& x, const B& y) {
     double largest = 0;
@@ -386,7 +386,7 @@ TEST_CASE("a step that Newton's method cannot do leaves the state and says why")
     CHECK(scenes::same_bits(x, before));
     REQUIRE(stepper.step(x, 0.05).ok());
 
-    // What failed has left nothing behind.
+    // A failed step leaves nothing behind.
     NewtonKepler::State fresh = before;
     REQUIRE(NewtonKepler().step(fresh, 0.05).ok());
     CHECK(scenes::same_bits(x, fresh));

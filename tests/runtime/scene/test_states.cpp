@@ -1,4 +1,4 @@
-// What the states of scenes hold.
+// The contents of the states of scenes.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <array>
 
@@ -17,7 +17,7 @@ using namespace hvi::generated;
 
 namespace {
 
-/// The same steps, whatever holds the state.
+/// Compares steps whose states are held in different types.
 template <class Stepper, class OfEigen>
 void compare(double h) {
     Stepper stepper;

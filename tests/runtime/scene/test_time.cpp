@@ -103,7 +103,7 @@ void keeps_its_promises() {
     CHECK(x.t == before.t);
 }
 
-/// A stepper with a parameter, at one value, against that of the constants at this value.
+/// Compares a stepper with a parameter, at one value, with a stepper with constants for this value.
 template <class Stepper, class Constant>
 void compare_at(double parameter) {
     Stepper stepper({}, parameter);
