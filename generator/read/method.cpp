@@ -26,6 +26,11 @@ std::vector<std::string_view> method_names() {
     std::vector<std::string_view> names;
     for (const FamilyEntry& entry : node_families()) names.push_back(entry.name);
     for (const MethodEntry& entry : named_methods()) names.push_back(entry.name);
+    return names;
+}
+
+std::vector<std::string_view> names_elsewhere() {
+    std::vector<std::string_view> names;
     for (const OtherName& other : other_names())
         if (!other.method.empty()) names.push_back(other.name);
     return names;
@@ -53,7 +58,9 @@ std::string_view known_elsewhere(std::string_view name) {
             throw InputError(fmt::format("there is no method `{}`", name), whole(source),
                              std::string(other.help));
     throw InputError(fmt::format("there is no method `{}`", name), whole(source),
-                     did_you_mean(name, method_names(), "`hvi-gen list methods` shows them all"));
+                     did_you_mean(name, method_names(),
+                                  did_you_mean(name, names_elsewhere(),
+                                               "`hvi-gen list methods` shows them all")));
 }
 
 /// Makes a family of nodes with its interpolating polynomials.

@@ -424,7 +424,7 @@ TEST_CASE("times and events that are none are refused with their place") {
     refused(spring, "--times 10:5:3", "these times lead against the steps");
     refused(spring, "--times 0:30:3 --until 20", "the run ends at t = 20");
     refused(spring, "--times 0:q:3", "the scene has no parameter `q`");
-    refused(spring, "--times 0:10:3 --every 2", "--times says where rows are");
+    refused(spring, "--times 0:10:3 --every 2", "--times sets the rows");
     refused(spring, "--every 0", "--every");
     const auto event = [&](const std::string& lines, const std::string& message) {
         refused(spring + "[events.wall]\n" + lines, "", message);
