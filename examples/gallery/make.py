@@ -73,16 +73,19 @@ def write(path, text, pages):
 
 
 def main():
-    words = argparse.ArgumentParser(description="Make the gallery.")
-    words.add_argument("directory", type=Path)
-    words.add_argument("--compare", type=Path, metavar="PAGES")
-    words.add_argument("names", nargs="*", metavar="NAME")
-    words = words.parse_args()
+    parser = argparse.ArgumentParser(description="Make the gallery.")
+    parser.add_argument("directory", type=Path)
+    parser.add_argument("--compare", type=Path, metavar="PAGES")
+    parser.add_argument("names", nargs="*", metavar="NAME")
+    words = parser.parse_intermixed_args()
+    for name in words.names:
+        if name not in [source.stem for source in sources]:
+            parser.error(f"there is no example {name}")
     output, pages = words.directory.resolve(), words.compare and words.compare.resolve()
     output.mkdir(parents=True, exist_ok=True)
     os.chdir(output)
     chosen = [source for source in sources if not words.names or source.stem in words.names]
-    good = bool(chosen) and (bool(words.names) or write(output / "index.md", index(), pages))
+    good = bool(words.names) or write(output / "index.md", index(), pages)
     for source in chosen:
         print(source.stem, flush=True)
         try:
