@@ -268,26 +268,32 @@ class Integration:
     def _take(self, steps: int, every: int, rows: np.ndarray | None) -> int:
         """Takes steps from the state, rows of which go to `rows`; returns how many were written.
 
-        NOTE: it comes back to Python ten times a second, so that Ctrl-C is heard.
+        NOTE: it comes back to Python ten times a second, so that Ctrl-C is heard: also between two
+        rows.
         """
-        written, count = c_size_t(), 0
-        piece = max(1, 1000 // every) * every
+        written, count, since = c_size_t(), 0, 0  # `since`: steps since the last row
+        most = 1000
         while steps > 0 and self.status == 0:
-            piece = min(piece, steps)
-            table = None if rows is None else rows[count:]
+            if since == 0 and most >= every:
+                piece, each = min(most // every * every, steps), every
+            else:
+                piece = each = min(most, every - since, steps)
+            has_rows = rows is not None and since + piece >= every
+            table = rows[count:] if has_rows else None
             began = time.perf_counter()
             status = self.library.integrate(
                 self.stepper._handle, self.state.ctypes.data, self.begin + self.h * self.done,
-                self.h, piece, every, None if table is None else self._names(),
+                self.h, piece, each, None if table is None else self._names(),
                 None if table is None or not table.size else table.ctypes.data,
                 0 if table is None else len(table), byref(written))
             self._took(piece, time.perf_counter() - began)
             if status != 0:
                 self._failed(status)
-            count += written.value
+            count += written.value if has_rows else 0
             steps -= piece
+            since = (since + piece) % every
             seconds = max(time.perf_counter() - began, 1e-6)
-            piece = max(1, int(piece * min(10.0, _seconds_of_a_call / seconds)) // every) * every
+            most = min(10 * most, max(1, int(piece * _seconds_of_a_call / seconds)))
         return count
 
     def _took(self, steps: int, seconds: float) -> None:

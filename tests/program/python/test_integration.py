@@ -31,6 +31,15 @@ class Integration(TestCase):
             coarse = stepper.integrate(t_span=(0, 10), step=0.1, every=10).y
             np.testing.assert_array_equal(coarse, table[:, ::10])
 
+    def test_rows_that_are_far_apart_are_those_of_near_ones(self):
+        for steps, every in ((300000, 65000), (26000, 12003), (1003, 1001), (5000, 10000)):
+            run = self.verlet.integrate([1, 0], (0, steps / 8), 1 / 8, every=every)
+            near = self.verlet.integrate([1, 0], (0, steps / 8), 1 / 8, every=1)
+            places = [*range(0, steps, every), steps]
+            np.testing.assert_array_equal(run.t, np.array(places) / 8)
+            np.testing.assert_array_equal(run.y, near.y[:, places])
+            self.assertEqual(run.steps, steps)
+
     def test_a_table_has_all_steps_and_the_names_of_scipy(self):
         result = self.verlet.integrate([1, 0], (0, 3), 0.3)
         self.assertEqual(result.t.shape, (11,))
