@@ -78,7 +78,7 @@ void ClassNames::name_constants(const Kernel& kernel) {
     }
 }
 
-NodeNames ClassNames::given(const Kernel& kernel, const NodeNames& locals, std::string_view value) {
+NodeNames ClassNames::given(const Kernel& kernel, const NodeNames& locals) {
     name_constants(kernel);
     NodeNames result = locals;
     for (const Node node : kernel.given) {
@@ -87,12 +87,18 @@ NodeNames ClassNames::given(const Kernel& kernel, const NodeNames& locals, std::
             members_.push_back(node);
             names_[node] = fmt::format("c{}_", members_.size());
         }
-        const std::string& name = names_.at(node);
-        const bool is_converted = constants_of_ == Constants::are_of_template &&
-                                  graph_.at(node).operation != Operation::constant;
-        result[node] = is_converted ? fmt::format("{}({})", value, name) : name;
+        result[node] = names_.at(node);
     }
     return result;
+}
+
+NodeNames ClassNames::converted(NodeNames names, std::string_view value) const {
+    if (constants_of_ == Constants::are_numbers) { return names; }
+    for (const Node node : members_) {
+        const auto found = names.find(node);
+        if (found != names.end()) { found->second = fmt::format("{}({})", value, found->second); }
+    }
+    return names;
 }
 
 NodeNames ClassNames::given_inputs(const Kernel& kernel) {

@@ -24,9 +24,11 @@ public:
     ClassNames(const System& system, Constants constants);
 
     /// Returns the names of all values that a kernel is given; `locals` has the names of variables.
-    /// Names values that have no name yet. The kernel computes in the type `value`.
-    [[nodiscard]] NodeNames given(const Kernel& kernel, const NodeNames& locals,
-                                  std::string_view value);
+    /// Names values that have no name yet.
+    [[nodiscard]] NodeNames given(const Kernel& kernel, const NodeNames& locals);
+
+    /// Returns the names with each member converted to the type `value`, unless it is a number.
+    [[nodiscard]] NodeNames converted(NodeNames names, std::string_view value) const;
 
     /// Returns names for a kernel of the constructor, where parameters stand for members.
     [[nodiscard]] NodeNames given_inputs(const Kernel& kernel);

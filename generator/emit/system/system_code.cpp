@@ -208,8 +208,9 @@ private:
         NodeNames locals = code.names;
         locals.merge(variable_names(system_));
         const std::string_view value = code.takes_lanes ? "Value" : "Scalar";
-        const NodeNames names = code.has_parameters ? names_.given_inputs(code.kernel)
-                                                    : names_.given(code.kernel, locals, value);
+        const NodeNames names = code.has_parameters
+                                    ? names_.given_inputs(code.kernel)
+                                    : names_.converted(names_.given(code.kernel, locals), value);
         const auto results = write_code(writer, system_.graph, code.kernel, names,
                                         code.takes_lanes ? "hvi::math" : library_, value);
         if (code.targets.empty() && !results.empty()) {
