@@ -12,7 +12,7 @@ namespace hvi::gen {
 enum class Lanes {
     automatic,  ///< stages, where they can be
     stages,     ///< the stages of a step
-    ensemble,   ///< trajectories of the same parameters and steps
+    ensemble,   ///< trajectories that take the same steps
     none,
 };
 

@@ -1,9 +1,10 @@
-// Many trajectories of one scene, with the same parameters and steps, on all processors.
+// Many trajectories of one scene, with the same steps, on all processors.
 // SPDX-License-Identifier: MIT
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
+#include <stdexcept>
 #include <type_traits>
 #include <vector>
 
@@ -29,9 +30,10 @@ using TrajectoriesOf =
 /// and wherever it stands among them. A trajectory whose step fails keeps the state before that
 /// step, and the others go on.
 /// # Use
-/// All trajectories have the same parameters, h and number of steps. h is a time in the units of H
-/// and may be negative. Precondition of state(i), status(i) and steps(i): i < size(). A step that
-/// fails throws nothing: ok() and status(i) report it. With -pthread and the header of
+/// All trajectories have the same h and number of steps, and the same parameters unless each is
+/// given its own. h is a time in the units of H and may be negative. Precondition of state(i),
+/// status(i), steps(i) and stepper(i): i < size(). A step that fails throws nothing: ok() and
+/// status(i) report it. With -pthread and the header of
 ///
 ///     hvi-gen stepper --method stormer-verlet pendulum --lanes ensemble -o pendulums.hpp
 ///
@@ -78,10 +80,16 @@ public:
 
     /// Begins one trajectory at each of the states `starts`.
     explicit Ensemble(const std::vector<Trajectory>& starts, const Parameters& parameters = {})
-        : parameters_(parameters),
-          stepper_(parameters),
-          size_(starts.size()),
-          trajectories_(starts) {}
+        : parameters_{parameters}, size_(starts.size()), trajectories_(starts) {}
+
+    /// Begins one trajectory at each of the states `starts`, with the parameters of the same place.
+    /// Throws std::invalid_argument unless there are as many of both.
+    Ensemble(const std::vector<Trajectory>& starts, const std::vector<Parameters>& parameters)
+        : parameters_(parameters), size_(starts.size()), trajectories_(starts) {
+        if (parameters.size() != starts.size()) {
+            throw std::invalid_argument("hvi: there are as many parameters as starts");
+        }
+    }
 
     [[nodiscard]] std::size_t size() const { return size_; }
 
@@ -92,8 +100,10 @@ public:
     /// Rethrows, when all threads have ended, the first exception of a step, std::bad_alloc or
     /// std::system_error. Some trajectories have then been advanced and others not.
     void advance(Scalar h, std::int64_t steps, unsigned threads = 0) {
+        if (parameters_.empty()) { return; }
         detail::in_parallel(trajectories_.pieces(), threads, [&] {
-            return [&, stepper = Stepper(parameters_)](std::size_t piece) mutable {
+            return [&, stepper = Stepper(parameters_.front())](std::size_t piece) mutable {
+                if (parameters_.size() > 1) { trajectories_.give(parameters_, piece, stepper); }
                 trajectories_.advance(piece, stepper, h, steps);
             };
         });
@@ -110,13 +120,14 @@ public:
     /// Returns whether no step of any trajectory has failed.
     [[nodiscard]] bool ok() const { return trajectories_.ok(); }
 
-    /// Returns the stepper. Its members give the energy and invariants of a state, where the header
-    /// was generated with them.
-    [[nodiscard]] const Stepper& stepper() const { return stepper_; }
+    /// Returns a stepper with the parameters of trajectory i. Its members give the energy and
+    /// invariants of a state, where the header was generated with them.
+    [[nodiscard]] Stepper stepper(std::size_t i = 0) const {
+        return Stepper(parameters_[parameters_.size() > 1 ? i : 0]);
+    }
 
 private:
-    Parameters parameters_;
-    Stepper stepper_;
+    std::vector<Parameters> parameters_;  ///< of each trajectory, or one for all
     std::size_t size_;
     Trajectories trajectories_;
 };

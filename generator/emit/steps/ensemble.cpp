@@ -19,6 +19,11 @@ struct EnsembleParts {
     std::string carried, step, reset, constants, coupled, members;
 };
 
+/// Returns the members that evaluate H, of one trajectory and of eight.
+std::string systems_text() {
+    return Writer(1).line("System one_;").line("LaneSystem system_;").str();
+}
+
 // ---- explicit ----
 
 EnsembleParts ensemble_parts(const Step& step, const ExplicitStep& form, std::size_t dimension) {
@@ -28,7 +33,7 @@ EnsembleParts ensemble_parts(const Step& step, const ExplicitStep& form, std::si
     parts.constants = weights_text(step);
     if (form.sums == Sums::plain) {
         parts.carried = step.kept.any() ? "SlopeCarried" : "NothingCarried";
-        parts.members = Writer(1).line("System system_;").str();
+        parts.members = systems_text();
         return parts;
     }
     parts.carried = step.kept.any() ? "RemaindersAndSlopeCarried" : "RemaindersCarried";
@@ -36,7 +41,7 @@ EnsembleParts ensemble_parts(const Step& step, const ExplicitStep& form, std::si
                          {"detail/coefficients/weights", "detail/trajectories/trajectory_sums"});
     parts.reset = "sums_.forget();";
     parts.members = Writer(1)
-                        .line("System system_;")
+                        .insert(systems_text())
                         .line("hvi::detail::TrajectorySums<State> sums_;")
                         .line("{}", weights_member(step))
                         .str();
@@ -152,7 +157,7 @@ std::string stages_type(const Step& step, std::string_view kind) {
 
 std::string members_text(const std::string& stages) {
     return Writer(1)
-        .line("System system_;")
+        .insert(systems_text())
         .line("{} s_;", stages)
         .line("hvi::detail::LaneSweeps<Scalar, hvi::detail::fixed_size<Vector>()> solver_;")
         .str();

@@ -176,6 +176,29 @@ bool shares_parameter(const Step& step, const System& system) {
                        [&](const SystemParameter& parameter) { return parameter.name == name; });
 }
 
+/// Returns the constructors where eight trajectories go side by side, each with its own parameters.
+std::string constructors_of_trajectories(const Step& step, std::string_view class_name) {
+    const std::string_view constant = constant_if_explicit(step);
+    Writer writer(1);
+    writer.line("{0}{1}() : {1}(Parameters{{}}) {{}}", constant, class_name);
+    writer
+        .open("{}explicit {}(const Parameters& parameters) : one_(parameters) {{", constant,
+              class_name)
+        .open("for (std::size_t lane = 0; lane < hvi::trajectories_at_once; ++lane) {{")
+        .line("system_.set(lane, one_);")
+        .close()
+        .close()
+        .blank();
+    writer.line(
+        "/// Gives the trajectory in a lane other parameters. Members that take one trajectory");
+    writer.line("/// keep those of the constructor.");
+    writer.open("void set_parameters(std::size_t lane, const Parameters& parameters) {{")
+        .line("system_.set(lane, System(parameters));")
+        .line("reset();")
+        .close();
+    return writer.str();
+}
+
 /// NOTE: two constructors, since a default argument would need Parameters to be complete.
 std::string constructors_for_scene(const Step& step, const EmitOptions& options,
                                    std::string_view class_name) {
@@ -187,7 +210,9 @@ std::string constructors_for_scene(const Step& step, const EmitOptions& options,
     const auto about_threads = [&] {
         if (is_any_size) { writer.line("/// `threads`: 0 for as many as there are processors."); }
     };
-    if (!step.from_parameter) {
+    if (step.layout == Layout::trajectories) {
+        writer.insert(constructors_of_trajectories(step, class_name));
+    } else if (!step.from_parameter) {
         writer.line("{0}{1}() : {1}(Parameters{{}}) {{}}", constant, class_name);
         about_threads();
         writer.line("{}explicit {}(const Parameters& parameters{}) : system_({}) {{}}", constant,

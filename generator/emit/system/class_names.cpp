@@ -64,8 +64,8 @@ NodeNames variable_names(const System& system) {
     return names;
 }
 
-ClassNames::ClassNames(const System& system)
-    : system_(system), graph_(system.graph), inputs_(inputs_of(system)) {}
+ClassNames::ClassNames(const System& system, Constants constants)
+    : system_(system), graph_(system.graph), constants_of_(constants), inputs_(inputs_of(system)) {}
 
 void ClassNames::name_constants(const Kernel& kernel) {
     for (const Node node : kernel.given) {
@@ -90,6 +90,15 @@ NodeNames ClassNames::given(const Kernel& kernel, const NodeNames& locals) {
         result[node] = names_.at(node);
     }
     return result;
+}
+
+NodeNames ClassNames::converted(NodeNames names, std::string_view value) const {
+    if (constants_of_ == Constants::are_numbers) { return names; }
+    for (const Node node : members_) {
+        const auto found = names.find(node);
+        if (found != names.end()) { found->second = fmt::format("{}({})", value, found->second); }
+    }
+    return names;
 }
 
 NodeNames ClassNames::given_inputs(const Kernel& kernel) {
@@ -119,13 +128,23 @@ void ClassNames::write_setup(Writer& writer, std::string_view library) {
     }
 }
 
+void ClassNames::write_copy_to_lane(Writer& writer) const {
+    for (std::size_t k = 0; k < members_.size(); ++k) {
+        writer.line("c{0}_.set(lane, one.c{0}_);", k + 1);
+    }
+}
+
 void ClassNames::write_data(Writer& writer) const {
+    const std::string_view type = constants_of_ == Constants::are_numbers ? "Scalar" : "Constant";
+    const std::string_view zero = constants_of_ == Constants::are_numbers ? " = 0" : "{}";
     for (std::size_t k = 0; k < constants_.size(); ++k) {
         const Expression& value = graph_.at(constants_[k]).constant;
         writer.line("static constexpr Scalar k{} = {};  // {}", k + 1, initializer(value),
                     to_text(value));
     }
-    for (std::size_t k = 0; k < members_.size(); ++k) { writer.line("Scalar c{}_ = 0;", k + 1); }
+    for (std::size_t k = 0; k < members_.size(); ++k) {
+        writer.line("{} c{}_{};", type, k + 1, zero);
+    }
 }
 
 /// NOTE: other names in the code are q, p, way, way_p, totals, out, e, k, V, h, x, t1, t2, ... and

@@ -13,15 +13,22 @@
 
 namespace hvi::gen {
 
+/// Values that are made of parameters: numbers, or of a type `Constant` that the class is given,
+/// which is a number or has one for each trajectory.
+enum class Constants { are_numbers, are_of_template };
+
 /// Names of values that evaluations are given. Constants are k1, k2, ..., and values made of
 /// parameters are c1_, c2_, ..., which the constructor computes; sizes are members, `N_`.
 class ClassNames {
 public:
-    explicit ClassNames(const System& system);
+    ClassNames(const System& system, Constants constants);
 
     /// Returns the names of all values that a kernel is given; `locals` has the names of variables.
     /// Names values that have no name yet.
     [[nodiscard]] NodeNames given(const Kernel& kernel, const NodeNames& locals);
+
+    /// Returns the names with each member converted to the type `value`, unless it is a number.
+    [[nodiscard]] NodeNames converted(NodeNames names, std::string_view value) const;
 
     /// Returns names for a kernel of the constructor, where parameters stand for members.
     [[nodiscard]] NodeNames given_inputs(const Kernel& kernel);
@@ -31,6 +38,12 @@ public:
 
     /// Writes `c1_ = ...;`, with functions of the namespace `library`.
     void write_setup(Writer& writer, std::string_view library);
+
+    /// Writes `c1_.set(lane, one.c1_);`.
+    void write_copy_to_lane(Writer& writer) const;
+
+    /// Returns whether a value is made of parameters.
+    [[nodiscard]] bool has_members() const { return !members_.empty(); }
 
     /// Writes the members and constants.
     void write_data(Writer& writer) const;
@@ -66,6 +79,7 @@ private:
 
     const System& system_;
     const Graph& graph_;
+    Constants constants_of_;
     NodeNames inputs_;  ///< names of parameters and sizes, in the constructor
     NodeNames names_;   ///< names of constants and members
     std::vector<Node> members_, constants_;

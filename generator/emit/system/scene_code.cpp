@@ -66,6 +66,11 @@ std::string_view state_of_one(const Step& step) {
     return step.layout == Layout::trajectories ? "Trajectory" : "State";
 }
 
+/// Returns the System of one state in the stepper.
+std::string_view system_of_one(const Step& step) {
+    return step.layout == Layout::trajectories ? "one_" : "system_";
+}
+
 /// Forms of a state x in members of the stepper.
 struct StateForm {
     std::string variables;                        ///< arguments of functions of System
@@ -102,12 +107,13 @@ StateForm form_of(const System& system, std::string_view state) {
                                   system.time ? ", x.t" : "")}};
 }
 
-void write_member(Writer& writer, const ClassValue& value, std::string_view state,
+void write_member(Writer& writer, const ClassValue& value, const Step& step,
                   const StateForm& form) {
     writer.comment(value.about + std::string(form.no_number), "/// ");
-    writer.open("[[nodiscard]] Scalar {}(const {}& x) const {{", value.name, state)
+    writer.open("[[nodiscard]] Scalar {}(const {}& x) const {{", value.name, state_of_one(step))
         .insert(form.before)
-        .line("return system_.{}({}{});", value.name, form.variables, value.has_time ? ", x.t" : "")
+        .line("return {}.{}({}{});", system_of_one(step), value.name, form.variables,
+              value.has_time ? ", x.t" : "")
         .close()
         .blank();
 }
@@ -125,7 +131,8 @@ void write_initial(Writer& writer, std::string_view state, const StateForm& form
 
 /// Writes the velocities of L = v^T M v/2 + a v - U, from M v = p - a, or those of the H that was
 /// made of L.
-void write_velocity(Writer& writer, const System& system, std::string_view state) {
+void write_velocity(Writer& writer, const System& system, const Step& step) {
+    const std::string_view state = state_of_one(step);
     if (system.is_transformed) {
         writer.line("/// v of p = dL/dv(q, v); empty where x does not have the system's size.");
         writer.open("[[nodiscard]] Vector velocity(const {}& x) const {{", state)
@@ -139,7 +146,8 @@ void write_velocity(Writer& writer, const System& system, std::string_view state
     }
     writer.line("/// v of p = dL/dv(q, v); no numbers where d2L/dv2 is singular.");
     writer.open("[[nodiscard]] Vector velocity(const {}& x) const {{", state)
-        .line("return hvi::detail::velocity_of(system_, x.q, x.p{});", system.time ? ", x.t" : "")
+        .line("return hvi::detail::velocity_of({}, x.q, x.p{});", system_of_one(step),
+              system.time ? ", x.t" : "")
         .close()
         .blank();
 }
@@ -225,10 +233,10 @@ std::string scene_members_text(const System& system, const SceneWishes& wishes, 
     write_reading(writer, system);
     if (!system.initial.empty()) { write_initial(writer, state, form); }
     if (system.side == Side::lagrangian || system.is_transformed) {
-        write_velocity(writer, system, state);
+        write_velocity(writer, system, step);
     }
     for (const ClassValue& value : values_of_class(system, wishes)) {
-        if (!value.about.empty()) { write_member(writer, value, state, form); }
+        if (!value.about.empty()) { write_member(writer, value, step, form); }
     }
     if (wishes.evaluations) {
         writer.line("/// How often d{}/dq was evaluated, at one stage each time.",

@@ -120,6 +120,11 @@ bool has_chunks(const std::vector<SystemFunction>& functions) {
                        [](const SystemSum* sum) { return sum->loops.size() > 1; });
 }
 
+Constants constants_of(const Step& step) {
+    return step.layout == Layout::trajectories ? Constants::are_of_template
+                                               : Constants::are_numbers;
+}
+
 /// Writes the class: its functions as listed, and the members that they need.
 class ClassWriter {
 public:
@@ -129,10 +134,11 @@ public:
           step_(step),
           evaluations_(evaluations),
           has_loops_(evaluations == nullptr),
+          constants_(constants_of(step)),
           counts_(counts_evaluations(wishes, step)),
           library_(has_loops_ ? "hvi::math" : library(wishes)),
           functions_(functions_of_class(system, wishes, step, evaluations)),
-          names_(system),
+          names_(system, constants_),
           loops_(system, names_),
           sizes_(system, names_, has_chunks(functions_)) {}
 
@@ -144,16 +150,30 @@ public:
             write(functions, function);
         }
         Writer writer(1);
-        writer.comment(about(system_), "/// ").open("struct System {{");
+        writer.comment(about(system_), "/// ");
+        if (constants_ == Constants::are_of_template) { writer.line("template <class Constant>"); }
+        writer.open("struct {} {{", class_name());
         write_types(writer);
         writer.blank();
         write_constructor(writer);
         writer.blank().insert(functions.str());
         write_data(writer);
-        return writer.close("};").str();
+        writer.close("};");
+        if (constants_ == Constants::are_of_template) { write_names(writer); }
+        return writer.str();
     }
 
 private:
+    [[nodiscard]] std::string_view class_name() const {
+        return constants_ == Constants::are_of_template ? "SystemOf" : "System";
+    }
+
+    /// Writes the names of both classes, of one trajectory and of eight.
+    static void write_names(Writer& writer) {
+        writer.line("using System = SystemOf<Scalar>;");
+        writer.line("using LaneSystem = SystemOf<hvi::detail::TrajectoryRow<Scalar>>;");
+    }
+
     void write(Writer& writer, const SystemFunction& function) {
         if (!function.doc.empty()) { writer.comment(function.doc, "/// "); }
         if (!function.parameters.empty()) { writer.line("template <{}>", function.parameters); }
@@ -187,11 +207,12 @@ private:
     void write_body(Writer& writer, const StraightCode& code) {
         NodeNames locals = code.names;
         locals.merge(variable_names(system_));
-        const NodeNames names = code.has_parameters ? names_.given_inputs(code.kernel)
-                                                    : names_.given(code.kernel, locals);
+        const std::string_view value = code.takes_lanes ? "Value" : "Scalar";
+        const NodeNames names = code.has_parameters
+                                    ? names_.given_inputs(code.kernel)
+                                    : names_.converted(names_.given(code.kernel, locals), value);
         const auto results = write_code(writer, system_.graph, code.kernel, names,
-                                        code.takes_lanes ? "hvi::math" : library_,
-                                        code.takes_lanes ? "Value" : "Scalar");
+                                        code.takes_lanes ? "hvi::math" : library_, value);
         if (code.targets.empty() && !results.empty()) {
             writer.line("return {};", results.front());
         }
@@ -244,14 +265,29 @@ private:
         const std::string arguments =
             text_of({"const Parameters& parameters", names_.uses_inputs() || has_tables});
         const std::string head =
-            fmt::format("{}explicit System({}{})", has_loops_ ? "" : "constexpr ", arguments,
-                        has_loops_ ? sizes_.threads() : "");
+            fmt::format("{}explicit {}({}{})", has_loops_ ? "" : "constexpr ", class_name(),
+                        arguments, has_loops_ ? sizes_.threads() : "");
         if (members.empty()) {
             writer.open("{} {{", head);
         } else {
             writer.line("{}", head).open("    : {} {{", fmt::join(members, ", "));
         }
         writer.insert(body.str()).close();
+        if (constants_ == Constants::are_of_template) { write_lanes(writer); }
+    }
+
+    /// Writes the constructor of the class of eight trajectories, which have all their own
+    /// constants.
+    void write_lanes(Writer& writer) const {
+        writer.blank().line("SystemOf() = default;").blank();
+        writer.line("/// Gives a lane the constants of one trajectory.");
+        if (!names_.has_members()) {
+            writer.line("constexpr void set(std::size_t, const SystemOf<Scalar>&) {{}}");
+            return;
+        }
+        writer.open("constexpr void set(std::size_t lane, const SystemOf<Scalar>& one) {{");
+        names_.write_copy_to_lane(writer);
+        writer.close();
     }
 
     void write_data(Writer& writer) const {
@@ -268,7 +304,9 @@ private:
     const System& system_;
     const Step& step_;
     const Evaluations* evaluations_;
-    bool has_loops_, counts_;
+    bool has_loops_;
+    Constants constants_;
+    bool counts_;
     std::string_view library_;  ///< namespace of functions that take no lanes
     std::vector<SystemFunction> functions_;
     ClassNames names_;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <cstring>
 #include <random>
@@ -16,8 +17,10 @@
 #include <ensemble/gauss_2_quartic_swing.hpp>
 #include <ensemble/gauss_3_growing.hpp>
 #include <ensemble/gauss_3_growing_root.hpp>
+#include <ensemble/gauss_3_joined.hpp>
 #include <ensemble/gauss_3_nonseparable.hpp>
 #include <ensemble/gauss_3_swing.hpp>
+#include <ensemble/gauss_3_weighed.hpp>
 #include <ensemble/gauss_4_kepler.hpp>
 #include <ensemble/gauss_5_pushed.hpp>
 #include <ensemble/gauss_8_henon_heiles.hpp>
@@ -33,8 +36,10 @@
 #include <ensemble/one/gauss_2_quartic_swing.hpp>
 #include <ensemble/one/gauss_3_growing.hpp>
 #include <ensemble/one/gauss_3_growing_root.hpp>
+#include <ensemble/one/gauss_3_joined.hpp>
 #include <ensemble/one/gauss_3_nonseparable.hpp>
 #include <ensemble/one/gauss_3_swing.hpp>
+#include <ensemble/one/gauss_3_weighed.hpp>
 #include <ensemble/one/gauss_4_kepler.hpp>
 #include <ensemble/one/gauss_5_pushed.hpp>
 #include <ensemble/one/gauss_8_henon_heiles.hpp>
@@ -74,6 +79,8 @@ using Gauss2DoublePendulum = Pair<made::Gauss2DoublePendulums, made::Gauss2Doubl
 using Gauss3Nonseparable = Pair<made::Gauss3Nonseparables, made::Gauss3Nonseparable>;
 using Gauss4Kepler = Pair<made::Gauss4Keplers, made::Gauss4Kepler>;
 using Gauss8HenonHeiles = Pair<made::Gauss8HenonHeileses, made::Gauss8HenonHeiles>;
+using Gauss3Weighed = Pair<made::Gauss3Weigheds, made::Gauss3Weighed>;
+using Gauss3Joined = Pair<made::Gauss3Joineds, made::Gauss3Joined>;
 using VerletSwing = Pair<made::VerletSwings, made::VerletSwing>;
 using KahanLiPushed = Pair<made::KahanLiPusheds, made::KahanLiPushed>;
 using Gauss3Swing = Pair<made::Gauss3Swings, made::Gauss3Swing>;
@@ -92,7 +99,8 @@ using Gauss3GrowingRoot = Pair<made::Gauss3GrowingRoots, made::Gauss3GrowingRoot
         ensemble_test::Gauss2DoublePendulum, ensemble_test::Gauss3Nonseparable,                    \
         ensemble_test::Gauss4Kepler, ensemble_test::Gauss8HenonHeiles, ensemble_test::Gauss3Swing, \
         ensemble_test::Gauss5Pushed, ensemble_test::Gauss2QuarticSwing,                            \
-        ensemble_test::Gauss3Growing, ensemble_test::Gauss3GrowingRoot
+        ensemble_test::Gauss3Growing, ensemble_test::Gauss3GrowingRoot,                            \
+        ensemble_test::Gauss3Weighed, ensemble_test::Gauss3Joined
 #define HVI_TIMED_PAIRS                                                                            \
     ensemble_test::VerletSwing, ensemble_test::KahanLiPushed, ensemble_test::Gauss3Swing,          \
         ensemble_test::Gauss5Pushed, ensemble_test::Gauss2QuarticSwing,                            \
@@ -118,6 +126,22 @@ std::vector<typename Stepper::Trajectory> starts(std::size_t count) {
         if constexpr (has_time<typename Stepper::Trajectory>) { x.t = 10 * by(random); }
     }
     return result;
+}
+
+/// Returns the largest difference of components, in units of the rounding of the largest; infinite
+/// unless both have equal times, bit for bit.
+template <class State>
+double distance(const State& x, const State& y) {
+    double largest = 0, difference = 0;
+    for (std::size_t k = 0; k < x.q.size(); ++k) {
+        largest = std::fmax(largest, std::fmax(std::abs(x.q[k]), std::abs(x.p[k])));
+        difference = std::fmax(difference, std::abs(x.q[k] - y.q[k]));
+        difference = std::fmax(difference, std::abs(x.p[k] - y.p[k]));
+    }
+    if constexpr (has_time<State>) {
+        if (x.t != y.t) { return HUGE_VAL; }
+    }
+    return difference / (largest * 0x1p-52);
 }
 
 template <class State>

@@ -13,22 +13,6 @@ namespace {
 
 constexpr double h = 1.0 / 64;
 
-/// Returns the largest difference of components, in units of the rounding of the largest; infinite
-/// unless both have equal times, bit for bit.
-template <class State>
-double distance(const State& x, const State& y) {
-    double largest = 0, difference = 0;
-    for (std::size_t k = 0; k < x.q.size(); ++k) {
-        largest = std::fmax(largest, std::fmax(std::abs(x.q[k]), std::abs(x.p[k])));
-        difference = std::fmax(difference, std::abs(x.q[k] - y.q[k]));
-        difference = std::fmax(difference, std::abs(x.p[k] - y.p[k]));
-    }
-    if constexpr (has_time<State>) {
-        if (x.t != y.t) { return HUGE_VAL; }
-    }
-    return difference / (largest * 0x1p-52);
-}
-
 /// Compares one step of both kinds, from equal states.
 template <class Pair>
 void compare_steps(int most_iterations_apart) {

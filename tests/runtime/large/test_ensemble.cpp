@@ -87,6 +87,23 @@ TEST_CASE("an ensemble of a large scene has the bits of its trajectories alone")
     check_trajectories<generated::Membrane>({});
 }
 
+TEST_CASE("trajectories of a large scene have parameters of their own, and sizes") {
+    std::vector<generated::Chain::Parameters> own(5);
+    std::vector<State> begin;
+    for (std::size_t i = 0; i < own.size(); ++i) {
+        own[i].N = 40 + 10 * static_cast<std::ptrdiff_t>(i);
+        begin.push_back(starts<generated::Chain>(own[i], 1).front());
+    }
+    hvi::Ensemble<generated::Chain> ensemble(begin, own);
+    ensemble.advance(h, 12, 2);
+    REQUIRE(ensemble.ok());
+    for (std::size_t i = 0; i < own.size(); ++i) {
+        generated::Chain stepper(own[i]);
+        for (int step = 0; step < 12; ++step) { REQUIRE(stepper.step(begin[i], h).ok()); }
+        CHECK(same_bits(ensemble.state(i), begin[i]));
+    }
+}
+
 TEST_CASE("a trajectory of a large scene that stops keeps its state, and others go on") {
     generated::Chain::Parameters parameters;
     parameters.N = 100;

@@ -33,6 +33,15 @@ public:
     /// Returns the number of pieces: a thread takes one at a time.
     [[nodiscard]] std::size_t pieces() const { return groups_.size(); }
 
+    /// Gives the stepper the parameters of a piece.
+    static void give(const std::vector<typename Stepper::Parameters>& parameters, std::size_t piece,
+                     Stepper& stepper) {
+        for (std::size_t lane = 0; lane < width; ++lane) {
+            const std::size_t i = std::min(piece * width + lane, parameters.size() - 1);
+            stepper.set_parameters(lane, parameters[i]);
+        }
+    }
+
     void advance(std::size_t piece, Stepper& stepper, Scalar h, std::int64_t steps) {
         advance(stepper, groups_[piece], h, steps);
     }

@@ -27,6 +27,12 @@ public:
     /// Returns the number of pieces: a thread takes one at a time.
     [[nodiscard]] std::size_t pieces() const { return states_.size(); }
 
+    /// Gives the stepper the parameters of a piece.
+    static void give(const std::vector<typename Stepper::Parameters>& parameters, std::size_t piece,
+                     Stepper& stepper) {
+        stepper = Stepper(parameters[piece]);
+    }
+
     void advance(std::size_t piece, Stepper& stepper, Scalar h, std::int64_t steps) {
         Run& run = runs_[piece];
         if (!run.ok() || steps <= 0) { return; }

@@ -40,6 +40,10 @@ namespace detail {
 
 // ---- memory of steps for the next, beside (q, p) ----
 
+/// A number for each trajectory.
+template <class Number>
+using TrajectoryRow = LaneRow<Number, trajectories_at_once>;
+
 template <class Vector>
 using TrajectoryRows = LaneRows<ScalarOf<Vector>, trajectories_at_once, fixed_size<Vector>()>;
 

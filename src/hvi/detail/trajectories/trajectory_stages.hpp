@@ -11,6 +11,7 @@
 #include <hvi/detail/stages/moved.hpp>
 #include <hvi/detail/trajectories/lane_sweeps.hpp>
 #include <hvi/detail/trajectories/trajectories.hpp>
+#include <hvi/detail/trajectories/trajectory_factors.hpp>
 #include <hvi/detail/trajectories/trajectory_sums.hpp>
 
 namespace hvi::detail {
@@ -163,10 +164,7 @@ struct VelocityTrajectories : TrajectoryMemory<Vector, stages, One> {
     /// Sets w and `drifted` for stages at the times c.
     template <class System>
     void drift_freely(const System& system, const Scalar (&c)[stages]) {
-        if (this->h != weighed_) {
-            factors_.set(system, IndexOf<Vector>(dimension), this->h);
-            weighed_ = this->h;
-        }
+        factors_.set(system, this->h);
         scale_momenta(system);
         for (std::size_t i = 0; i < stages; ++i) {
             for (std::size_t k = 0; k < dimension; ++k) {
@@ -175,6 +173,12 @@ struct VelocityTrajectories : TrajectoryMemory<Vector, stages, One> {
                     .store(drifted[i][k]);
             }
         }
+    }
+
+    /// Forgets what depends on the last step, or on the parameters.
+    void forget() {
+        Base::forget();
+        factors_.forget();
     }
 
     /// Sets starting values: forces as at the start of the step.
@@ -255,7 +259,7 @@ private:
         Values force, scaled, path;
         for (std::size_t k = 0; k < dimension; ++k) {
             force[k] = -this->hb[i] * slope[k];
-            scaled[k] = factor(k) * force[k];
+            scaled[k] = factors_[k] * force[k];
         }
         if constexpr (System::has_diagonal_mass) {
             path = scaled;
@@ -266,16 +270,13 @@ private:
         this->keep(lanes, are_all, path, W[i]);
     }
 
-    [[nodiscard]] Scalar factor(std::size_t k) const { return detail::at(factors_.all(), k); }
-
     template <class System>
     void scale_momenta(const System& system) {
         Values path, rest;
         for (std::size_t k = 0; k < dimension; ++k) {
-            const Scalar offset =
-                System::has_diagonal_mass ? factors_.offset(IndexOf<Vector>(k)) : Scalar(0);
+            const Lane offset = System::has_diagonal_mass ? factors_.offset(k) : Lane(Scalar(0));
             const Pair<Lane> w =
-                scaled_momentum<Lane>(factor(k), this->p[k], this->remainder_p[k], offset);
+                scaled_momentum<Lane>(factors_[k], this->p[k], this->remainder_p[k], offset);
             path[k] = w.hi;
             rest[k] = w.lo;
         }
@@ -283,9 +284,7 @@ private:
             const Values scaled = path, scaled_rest = rest;
             system.inverse_mass(scaled, path);
             system.inverse_mass(scaled_rest, rest);
-            for (std::size_t k = 0; k < dimension; ++k) {
-                rest[k] = rest[k] + Lane(factors_.offset(IndexOf<Vector>(k)));
-            }
+            for (std::size_t k = 0; k < dimension; ++k) { rest[k] = rest[k] + factors_.offset(k); }
         }
         store(path, free_path);
         store(rest, rest_of_path);
@@ -294,22 +293,23 @@ private:
     /// Returns the change of component k of p by the forces of the step; see PathFactors.
     template <class System>
     [[nodiscard]] Pair<Lane> change_of_p(std::size_t k) const {
-        if (factor(k) == 0) {
-            return exact_sum<Lane, stages>([&](std::size_t j) { return Lane(Lp[j][k]); });
-        }
         const auto kick = [&](std::size_t j) {
             if constexpr (System::has_diagonal_mass) {
                 return Lane(W[j][k]);
             } else {
-                return opaque(Lane(factor(k)) * Lane(Lp[j][k]));
+                return opaque(factors_[k] * Lane(Lp[j][k]));
             }
         };
-        return momentum_of(exact_sum<Lane, stages>(kick), Lane(factor(k)),
-                           Lane(factors_.inverse(IndexOf<Vector>(k))));
+        const Pair<Lane> change =
+            momentum_of(exact_sum<Lane, stages>(kick), factors_[k], factors_.inverse(k));
+        const Mask zeros = factors_.zeros(k);
+        if (!any(zeros)) { return change; }
+        const Pair<Lane> force =
+            exact_sum<Lane, stages>([&](std::size_t j) { return Lane(Lp[j][k]); });
+        return {select(zeros, force.hi, change.hi), select(zeros, force.lo, change.lo)};
     }
 
-    PathFactors<Vector> factors_;
-    Scalar weighed_ = 0;  ///< the step size of the factors
+    TrajectoryFactors<Vector> factors_;
 };
 
 /// Stages of positions and momenta; see Stages.
