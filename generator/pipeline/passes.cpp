@@ -81,6 +81,15 @@ SceneStepper stepper_of(const Method& method, const Scene& scene, WithoutLoops w
         method, lowered_written_out(scene, std::move(without.scene), without.why, passes), wishes);
 }
 
+/// Throws NoLoops where the momentum of a scaled time begins with what the steps compute for -H, as
+/// nobody differentiates that.
+void check_start_of_momentum(const System& system, const Scene& scene, std::string_view what) {
+    if (scene.scale && !system.is_written_out())
+        throw NoLoops(
+            fmt::format("{} is not built for a scale of the time where sums stay loops", what),
+            scene.scale->place);
+}
+
 }  // namespace
 
 void check_directions(const Scene& scene, std::string_view what) { check_scene(scene, what); }
@@ -94,8 +103,11 @@ SceneStepper tangent_stepper(const Method& method, const Scene& scene, const Ste
 SceneStepper sensitivity_stepper(const Method& method, const Scene& scene,
                                  const StepperWishes& wishes, const std::string& parameter,
                                  std::string_view what) {
-    check_scene(scene, what);
-    const auto pass = [&](System system) { return with_sensitivity(std::move(system), parameter); };
+    check_motion(scene, what);
+    const auto pass = [&](System system) {
+        check_start_of_momentum(system, scene, what);
+        return with_sensitivity(std::move(system), parameter);
+    };
     return stepper_after(pass, method, scene, wishes);
 }
 
