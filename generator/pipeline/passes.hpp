@@ -9,9 +9,9 @@
 
 namespace hvi::gen {
 
-/// Throws InputError, with `what` wishes for directions that steps carry along, for rotations,
-/// scaled time and functions of the user's own.
-void check_directions(const Scene& scene, std::string_view what);
+/// Throws InputError, with `what` wishes for it, for what has no steps of another function of the
+/// scene, as of a direction along it: rotations, and functions of the user's own.
+void check_motion(const Scene& scene, std::string_view what);
 
 /// A stepper of the scene's motion and of a direction that it carries along: see with_tangent(). Of
 /// scaled time both have a time and its momentum. Throws InputError, with `what` wishes for it, for

@@ -14,11 +14,11 @@ using namespace hvi::test;
 namespace {
 
 /// Unit oscillator from q = 1 at rest.
-const std::string oscillator = "hamiltonian = \"(p^2 + q^2)/2\"\ncoordinates = [\"q\"]\n"
-                               "momenta = [\"p\"]\ninitial = {q = 1, p = 0}\n"
-                               "run = {step = \"1/10\", until = 5}\n";
+const std::string swing_of_one = "hamiltonian = \"(p^2 + q^2)/2\"\ncoordinates = [\"q\"]\n"
+                                 "momenta = [\"p\"]\ninitial = {q = 1, p = 0}\n"
+                                 "run = {step = \"1/10\", until = 5}\n";
 
-const std::string scaled_oscillator = oscillator + "[time]\nscale = \"(1 + q^2)/50\"\n";
+const std::string swing_in_scaled_time = swing_of_one + "[time]\nscale = \"(1 + q^2)/50\"\n";
 
 /// An ellipse with the semi-axis 1 from its perihelion, for three revolutions.
 const std::string comet = "hamiltonian = \"(px^2 + py^2)/2 - 1/sqrt(x^2 + y^2)\"\n"
@@ -27,12 +27,12 @@ const std::string comet = "hamiltonian = \"(px^2 + py^2)/2 - 1/sqrt(x^2 + y^2)\"
                           "run = {step = \"1/10\", until = \"6*pi\"}\n"
                           "[time]\nscale = \"logarithmic\"\n";
 
-bool is_in(const std::string& text, const std::string& part) {
+bool is_said_in(const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;
 }
 
 /// The distance of the last row from a state, relative to its size.
-double error_of(const SceneRun& run, const std::vector<double>& expected) {
+double error_at_end(const SceneRun& run, const std::vector<double>& expected) {
     const std::vector<double> last = run.last();
     REQUIRE(last.size() > expected.size());
     double sum = 0, size = 0;
@@ -49,7 +49,7 @@ SceneRun check_run(const std::string& scene, const std::string& accuracy,
     SceneRun run = run_scene(scene, "--accuracy " + accuracy + " --budget 20");
     INFO(run.outcome.err);
     REQUIRE(run.outcome.status == 0);
-    const double error = error_of(run, expected), wanted = std::stod(accuracy);
+    const double error = error_at_end(run, expected), wanted = std::stod(accuracy);
     CHECK(error <= 1.02 * wanted);
     CHECK(error > wanted / 1000);
     return run;
@@ -58,19 +58,20 @@ SceneRun check_run(const std::string& scene, const std::string& accuracy,
 }  // namespace
 
 TEST_CASE("run --accuracy in scaled time comes to its end with the error that was asked for") {
-    const SceneRun run = check_run(scaled_oscillator, "1e-6", {std::cos(5), -std::sin(5)});
-    CHECK(is_in(run.outcome.err, "errors of at most 1e-06 on scene at t = 5, beside gauss:10 in "));
-    CHECK(is_in(run.outcome.out, " in scaled time, until t = 5\n"));
+    const SceneRun run = check_run(swing_in_scaled_time, "1e-6", {std::cos(5), -std::sin(5)});
+    CHECK(is_said_in(run.outcome.err,
+                     "errors of at most 1e-06 on scene at t = 5, beside gauss:10 in "));
+    CHECK(is_said_in(run.outcome.out, " in scaled time, until t = 5\n"));
     // K = g (H + e) is not separable.
-    CHECK_FALSE(is_in(run.outcome.err, "stormer-verlet"));
-    check_run(scaled_oscillator + "[exact]\nq = \"cos(t)\"\np = \"-sin(t)\"\n", "1e-4",
+    CHECK_FALSE(is_said_in(run.outcome.err, "stormer-verlet"));
+    check_run(swing_in_scaled_time + "[exact]\nq = \"cos(t)\"\np = \"-sin(t)\"\n", "1e-4",
               {std::cos(5), -std::sin(5)});
 }
 
 TEST_CASE("explicit methods take part where the scaled H is separable") {
     const SceneRun run = check_run(comet, "1e-7", {0.1, 0, 0, std::sqrt(19.0)});
-    CHECK(is_in(run.outcome.err, "  stormer-verlet-kahan-li:8 "));
-    CHECK(is_in(run.outcome.err, "  gauss:8 "));
+    CHECK(is_said_in(run.outcome.err, "  stormer-verlet-kahan-li:8 "));
+    CHECK(is_said_in(run.outcome.err, "  gauss:8 "));
 }
 
 TEST_CASE("stepper --accuracy in scaled time says steps that a run takes as they are") {
@@ -97,17 +98,17 @@ TEST_CASE("stepper --accuracy in scaled time says steps that a run takes as they
     INFO(words << run.outcome.err);
     REQUIRE(run.outcome.status == 0);
     const double promised = std::stod(header.substr(end + after.size()));
-    CHECK(error_of(run, {0.1, 0, 0, std::sqrt(19.0)}) == Approx(promised).epsilon(0.02));
+    CHECK(error_at_end(run, {0.1, 0, 0, std::sqrt(19.0)}) == Approx(promised).epsilon(0.02));
 }
 
 TEST_CASE("run --accuracy goes through jumps and from kink to kink") {
     // A wall at 0 throws the oscillator back: q = |cos(t)|.
     const std::string wall =
-        oscillator + "[events.wall]\nzero = \"q\"\ndirection = \"down\"\nset = {p = \"-p\"}\n";
+        swing_of_one + "[events.wall]\nzero = \"q\"\ndirection = \"down\"\nset = {p = \"-p\"}\n";
     const SceneRun run = check_run(wall, "1e-6", {std::cos(5), -std::sin(5)});
     CHECK(run.events.size() == 3);  // with the names
-    check_run(oscillator + "[events.wall]\nzero = \"q\"\ndirection = \"down\"\n"
-                           "set = {p = \"-p/2\"}\n",
+    check_run(swing_of_one + "[events.wall]\nzero = \"q\"\ndirection = \"down\"\n"
+                             "set = {p = \"-p/2\"}\n",
               "1e-6", {std::cos(5) / 4, -std::sin(5) / 4});
     // Of q'' = -q - sign(q), from q = 3: 4 cos(t) - 1 until cos(t) = 1/4, and then 1 + a cos + b
     // sin.
@@ -126,7 +127,7 @@ TEST_CASE("accuracies of runs with events and scaled time that cannot be") {
         const SceneRun run = run_scene(scene, words);
         CAPTURE(words, run.outcome.err);
         CHECK(run.outcome.status == status);
-        CHECK(is_in(run.outcome.err, what));
+        CHECK(is_said_in(run.outcome.err, what));
         CHECK(run.table.empty());
     };
     const std::string springs =
@@ -139,11 +140,11 @@ TEST_CASE("accuracies of runs with events and scaled time that cannot be") {
     refused(springs + "[events.wall]\nzero = \"q[1]\"\nset = {\"p[1]\" = \"-p[1]\"}\n",
             "--accuracy 1e-3 --unroll no", 2, loops);
     // Rounding is in the way.
-    refused(scaled_oscillator, "--accuracy 1e-16 --budget 4", 1, "is known with an error of");
+    refused(swing_in_scaled_time, "--accuracy 1e-16 --budget 4", 1, "is known with an error of");
     // At q = 2 the time stops, and 3 is never reached.
     refused("hamiltonian = \"p^2/2\"\ncoordinates = [\"q\"]\nmomenta = [\"p\"]\n"
             "initial = {q = 0, p = 1}\nrun = {step = \"1/10\", until = 3}\n"
             "[time]\nscale = \"(2 - q)^3\"\n",
             "--accuracy 1e-3 --budget 2", 1, "gauss:10 does not come to the end");
-    refused(scaled_oscillator, "--accuracy 1e-3 --until=-1", 1, "lead away from the end");
+    refused(swing_in_scaled_time, "--accuracy 1e-3 --until=-1", 1, "lead away from the end");
 }

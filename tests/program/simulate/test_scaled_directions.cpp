@@ -178,8 +178,4 @@ TEST_CASE("directions in scaled time that are not built are refused with their p
     refused(springs, "--tangent --unroll no",
             "--tangent is not built for a scale of the time where sums stay loops");
     refused(springs, "--megno --unroll no", "--megno is not built for a scale of the time where");
-    const Outcome stepper =
-        hvi_gen({"stepper", "eccentric-kepler", "--method", "gauss:4", "--tangent"});
-    CHECK(stepper.status == 2);
-    CHECK(stepper.err.find("--tangent is not built for scenes with a scale") != std::string::npos);
 }
