@@ -16,25 +16,13 @@ namespace hvi::gen {
 
 namespace {
 
-/// Refuses scenes whose steps are not equal, as errors are measured of equal steps. NOTE: a scene
-/// is read together with a method, whose symbols its own must not be; gauss:2 has no symbols.
-void refuse_events(const Scene& scene) {
-    const char* const help = "`report` measures errors of their runs";
-    refuse_scale(scene, "--accuracy");
-    if (scene.kinks)
-        throw InputError("--accuracy is not built for kinks that end steps", *scene.kinks, help);
-    for (const IndexedEvent& event : scene.events)
-        if (event.set)
-            throw InputError("--accuracy is not built for events that jump", event.place, help);
-}
-
+/// NOTE: a scene is read together with a method, whose symbols its own must not be; gauss:2 has no
+/// symbols.
 Scene scene_of(const AccuracyQuestion& question) {
     MethodOptions any;
     any.name = given("--method", "gauss:2");
     any.parameters = question.parameters;
-    Scene scene = read_scene(any, question.system).scene;
-    refuse_events(scene);
-    return scene;
+    return read_scene(any, question.system).scene;
 }
 
 std::string text(Solver solver) { return solver == Solver::fixed_point ? "fixed-point" : "auto"; }
@@ -119,10 +107,14 @@ AdvisedOptions advised(const AccuracyQuestion& question) {
                               question.system.sums};
     const Advice found = advice(builds, scene, wishes);
     const Candidate& chosen = found.candidates[found.chosen];
-    const std::string step = fmt::format("{}/{}", factor(until.expression), found.point.steps);
-    const std::string note = fmt::format(
-        "advised for an error of {} at t = {}: steps of {} = {:.6g}, with an error of {:.2e}",
-        accuracy, end, step, found.point.h, found.point.error);
+    const std::string step =
+        scene.scale ? fmt::format("{}", found.point.h)
+                    : fmt::format("{}/{}", factor(until.expression), found.point.steps);
+    const std::string size =
+        scene.scale ? step + " in scaled time" : fmt::format("{} = {:.6g}", step, found.point.h);
+    const std::string note =
+        fmt::format("advised for an error of {} at t = {}: steps of {}, with an error of {:.2e}",
+                    accuracy, end, size, found.point.error);
     std::fputs(fmt::format("errors of at most {} on {} at t = {}, beside {}{}\n{}", accuracy,
                            scene.name, end, found.reference.kind,
                            found.reference.kind == "exact" ? " values" : "", table(found, accuracy))
@@ -141,6 +133,7 @@ AdvisedOptions advised(const AccuracyQuestion& question) {
             chosen.solver,
             chosen.method.composition,
             {found.point.h, found.point.steps},
+            end,
             step,
             note,
             shortfall};

@@ -28,6 +28,7 @@ struct AdvisedOptions {
     Solver solver = Solver::automatic;
     std::optional<Composition> composition;
     Steps steps{};
+    double until = 0;  ///< the end
     std::string step;  ///< exactly, as `--step` takes it: `200/1123`
     std::string note;  ///< its purpose, in a line
     std::string shortfall =

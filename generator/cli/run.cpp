@@ -102,15 +102,19 @@ struct RunLength {
 };
 
 /// Steps in scaled time, as many as it takes.
+RunLength scaled_length(double size, double end) {
+    constexpr std::int64_t most = 1'000'000'000'000'000;
+    return {{size, most}, ScaledClock{end}};
+}
+
 RunLength scaled_length(const SceneTimes& times, const NamedExpression& step,
                         const NamedExpression& until) {
-    constexpr std::int64_t most = 1'000'000'000'000'000;
     const double size = nearest_value(times, step), end = nearest_value(times, until);
     if (size == 0) throw MathError("the step has the size 0", step.place);
     if (size * end < 0)
         throw MathError("steps of this size lead away from the end of the run", step.place,
                         "step and until have the same sign");
-    return {{size, most}, ScaledClock{end}};
+    return scaled_length(size, end);
 }
 
 RunLength wished_length(const Scene& scene, const RunOptions& options) {
@@ -244,8 +248,11 @@ WishedRun advised_run(const RunOptions& options, const Runner& runner) {
     method_options.name = given("--method", advice.method);
     StepperWishes wishes = simulation_wishes(advice.solver, advice.composition);
     wishes.unroll = options.wishes.unroll;
-    WishedRun run = watched_run(read_scene(method_options, options.system), wishes,
-                                {steps_to_output(advice.steps, options.times)}, options, runner);
+    MethodAndScene both = read_scene(method_options, options.system);
+    const RunLength length = both.scene.scale
+                                 ? scaled_length(advice.steps.size, advice.until)
+                                 : RunLength{steps_to_output(advice.steps, options.times)};
+    WishedRun run = watched_run(std::move(both), wishes, length, options, runner);
     run.shortfall = advice.shortfall;
     return run;
 }

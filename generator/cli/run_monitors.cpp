@@ -212,11 +212,13 @@ Monitors wished_monitors(const MethodAndScene& both, const SceneStepper& stepper
             runner.interprets()
                 ? tangent_stepper(both.method, both.scene, wishes, what)
                 : stepper_of_directions(stepper, both.method, both.scene, wishes, what);
-        if (both.scene.scale)
-            result.tangents.motion = motion_of_scaled_time(both.scene, stepper, what);
+        if (both.scene.scale) result.motion = motion_of_scaled_time(both.scene, stepper, what);
     }
-    if (options.sensitivity)
+    if (options.sensitivity) {
         result.sensitivities = sensitivities_of(both, stepper, wishes, options.sensitivity);
+        if (both.scene.scale)
+            result.motion = motion_of_scaled_time(both.scene, stepper, "--sensitivity");
+    }
     if (options.shadow) add_shadow(result, both, stepper, wishes);
     return result;
 }
@@ -250,6 +252,7 @@ MonitorFindings measured(const Monitors& monitors, const Simulation& run, const 
         wishes.steps = run.steps;
         wishes.rest = run.rest;
         wishes.t = run.t;
+        wishes.motion = monitors.motion;
         if (run.stopped_by && wishes.matrix) {
             found.event = event_named(*run.stopped_by, events);
             wishes.crossing = found.event->crossing;
@@ -260,10 +263,10 @@ MonitorFindings measured(const Monitors& monitors, const Simulation& run, const 
     }
     for (const Sensitivity& each : monitors.sensitivities) {
         Shown shown(run, "steps with derivatives by a parameter");
-        found.sensitivities.push_back(
-            find_tangents(runner.target(each.stepper),
-                          {.h = h, .steps = run.steps, .rest = run.rest, .own = true},
-                          [&](double part) { shown(part); }));
+        found.sensitivities.push_back(find_tangents(
+            runner.target(each.stepper),
+            {.h = h, .steps = run.steps, .rest = run.rest, .own = true, .motion = monitors.motion},
+            [&](double part) { shown(part); }));
     }
     if (monitors.shadow && run.steps >= ShadowWishes::fewest_steps()) {
         Shown shown(run, "steps with a shadow");

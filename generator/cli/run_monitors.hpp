@@ -28,6 +28,7 @@ struct Monitors {
     TangentWishes tangents = {};
     std::optional<SceneStepper> tangent = {};  ///< of directions, where these are wished for
     std::vector<Sensitivity> sensitivities = {};
+    FindMotion motion = {};                    ///< of scaled time, for both of these
     std::optional<SceneStepper> shadow = {};   ///< of the modified Hamiltonian, likewise
     std::optional<SceneStepper> balance = {};  ///< of the energy, where H depends on the time
     std::size_t degrees = 0;                   ///< of freedom, of the scene; where there is one

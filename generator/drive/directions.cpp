@@ -166,8 +166,11 @@ std::size_t degrees_of_problem() {
     return stepper.carries_directions() ? degrees : degrees / 2;
 }
 
+Directions::Directions(std::size_t count, FindMotion motion)
+    : moved_(moved(count)), motion_(std::move(motion)) {}
+
 Directions::Directions(const std::vector<DirectionVector>& start, FindMotion motion)
-    : moved_(moved(start.size())), motion_(std::move(motion)) {
+    : Directions(start.size(), std::move(motion)) {
     set(start);
 }
 

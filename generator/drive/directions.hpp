@@ -48,7 +48,7 @@ private:
     std::size_t n_;  ///< coordinates, the time included
 };
 
-/// Directions that steps carry along with a state, which begins where the scene does.
+/// Directions that steps carry along. They begin as the states of the problem do.
 class MovedDirections {
 public:
     MovedDirections() = default;
@@ -68,7 +68,11 @@ public:
 /// Directions along one motion. Of scaled time they are those of H, at one time.
 class Directions {
 public:
-    /// `motion` is that of scaled time, and nothing where time is not scaled.
+    /// Directions that begin as the states of the problem do: as derivatives by a parameter. Such a
+    /// one has in scaled time the derivative of -H as its part along e. `motion` is that of scaled
+    /// time, and nothing where time is not scaled.
+    Directions(std::size_t count, FindMotion motion);
+    /// Directions that begin here.
     Directions(const std::vector<DirectionVector>& start, FindMotion motion);
 
     /// Takes a step with all. Unless the status is ok, they are not to be used any more.

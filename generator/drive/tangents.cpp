@@ -231,7 +231,7 @@ bool tell_matrix(const TangentWishes& wishes, ProgressOfSteps progress) {
 }
 
 bool tell_own(const TangentWishes& wishes, ProgressOfSteps progress) {
-    Directions directions({direction_of(DrivenProblem::initial())}, {});
+    Directions directions(1, wishes.motion);
     if (!take(directions, wishes, progress, [](std::int64_t) {})) return false;
     const DirectionVector own = directions.all().front();
     for (const double component : own) driver::say("component", component);

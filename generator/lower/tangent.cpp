@@ -185,7 +185,7 @@ private:
         return at_zero(family);
     }
     SystemStart by_parameter(const SystemFamily& family, const SystemStart::MinusEnergy&) {
-        HVI_CHECK(false && "no scaled time is differentiated by parameters");
+        HVI_CHECK(false && "steps compute -H, and nothing differentiates it");
         return at_zero(family);
     }
     template <class Values>
@@ -241,7 +241,7 @@ System with_tangent(System system) {
 }
 
 System with_sensitivity(System system, const std::string& parameter) {
-    HVI_CHECK(rotations_of(system) == 0 && !system.scaled);
+    HVI_CHECK(rotations_of(system) == 0);
     const auto found =
         std::find_if(system.parameters.begin(), system.parameters.end(),
                      [&](const SystemParameter& candidate) { return candidate.name == parameter; });

@@ -19,8 +19,9 @@ namespace hvi::gen {
 [[nodiscard]] System with_tangent(System system);
 
 /// Returns the system of K + dH/da for a parameter a. Its direction is the derivative of the motion
-/// by a, and begins as the derivative of the initial values. Precondition: as above, time is not
-/// scaled, and a is a parameter of the system.
+/// by a, and begins as the derivative of the initial values: in scaled time its part along the
+/// momentum e begins as the derivative of -H. Precondition: as above, no initial value is
+/// SystemStart::MinusEnergy, and a is a parameter of the system.
 [[nodiscard]] System with_sensitivity(System system, const std::string& parameter);
 
 }  // namespace hvi::gen

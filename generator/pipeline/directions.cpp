@@ -67,7 +67,7 @@ void add_directions(SceneStepper& stepper, const Method& method, const Scene& sc
         throw InputError("--tangent is not built for ensembles, whose steps are those of eight "
                          "trajectories",
                          wishes.lanes.place);
-    check_directions(scene, option);
+    check_motion(scene, option);
     const bool is_symmetric =
         hvi::gen::is_symmetric(ExactMethod{{method, wishes.composition}, stepper.method.base});
     const PulledBack pulled_back = is_symmetric ? PulledBack::step_back : PulledBack::columns;
@@ -87,9 +87,9 @@ void add_directions(SceneStepper& stepper, const Method& method, const Scene& sc
 SceneStepper stepper_of_directions(const SceneStepper& stepper, const Method& method,
                                    const Scene& scene, const StepperWishes& wishes,
                                    std::string_view what) {
-    if (scene.scale || !carries_along(stepper, wishes))
+    if (!carries_along(stepper, wishes))
         return tangent_stepper(method, scene, wishes, what);
-    check_directions(scene, what);
+    check_motion(scene, what);
     SceneStepper result = stepper;
     carry_directions(result);
     return result;

@@ -15,20 +15,6 @@ namespace hvi::gen {
 
 namespace {
 
-/// Throws InputError for what no pass takes that makes another function of a system.
-void check_motion(const Scene& scene, std::string_view what) {
-    refuse_rotations(scene, what);
-    if (!scene.own.headers.empty())
-        throw InputError(fmt::format("{} is not built for functions of your own", what),
-                         whole(scene.function.source));
-}
-
-/// Throws InputError for what no pass takes that looks at times.
-void check_scene(const Scene& scene, std::string_view what) {
-    refuse_scale(scene, what);
-    check_motion(scene, what);
-}
-
 /// The stepper of what a pass makes of the scene, with loops or without.
 SceneStepper stepper_after(const SystemPass& pass, const Method& method, const Scene& scene,
                            StepperWishes wishes) {
@@ -62,7 +48,8 @@ struct WithoutLoops {
 
 /// The scene for what takes no other. Throws InputError for a Lagrangian and for loops, too.
 WithoutLoops written_out(const Scene& scene, const StepperWishes& wishes, std::string_view what) {
-    check_scene(scene, what);
+    refuse_scale(scene, what);
+    check_motion(scene, what);
     const Place place = whole(scene.function.source);
     if (scene.side == Side::lagrangian)
         throw InputError(fmt::format("{} is not built for a Lagrangian", what), place,
@@ -81,9 +68,23 @@ SceneStepper stepper_of(const Method& method, const Scene& scene, WithoutLoops w
         method, lowered_written_out(scene, std::move(without.scene), without.why, passes), wishes);
 }
 
+/// Throws NoLoops where the momentum of a scaled time begins with what the steps compute for -H, as
+/// nobody differentiates that.
+void check_start_of_momentum(const System& system, const Scene& scene, std::string_view what) {
+    if (scene.scale && !system.is_written_out())
+        throw NoLoops(
+            fmt::format("{} is not built for a scale of the time where sums stay loops", what),
+            scene.scale->place);
+}
+
 }  // namespace
 
-void check_directions(const Scene& scene, std::string_view what) { check_scene(scene, what); }
+void check_motion(const Scene& scene, std::string_view what) {
+    refuse_rotations(scene, what);
+    if (!scene.own.headers.empty())
+        throw InputError(fmt::format("{} is not built for functions of your own", what),
+                         whole(scene.function.source));
+}
 
 SceneStepper tangent_stepper(const Method& method, const Scene& scene, const StepperWishes& wishes,
                              std::string_view what) {
@@ -94,8 +95,11 @@ SceneStepper tangent_stepper(const Method& method, const Scene& scene, const Ste
 SceneStepper sensitivity_stepper(const Method& method, const Scene& scene,
                                  const StepperWishes& wishes, const std::string& parameter,
                                  std::string_view what) {
-    check_scene(scene, what);
-    const auto pass = [&](System system) { return with_sensitivity(std::move(system), parameter); };
+    check_motion(scene, what);
+    const auto pass = [&](System system) {
+        check_start_of_momentum(system, scene, what);
+        return with_sensitivity(std::move(system), parameter);
+    };
     return stepper_after(pass, method, scene, wishes);
 }
 

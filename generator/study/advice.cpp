@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "generator/lower/system.hpp"
+#include "generator/study/eventful.hpp"
 #include "generator/study/large_reference.hpp"
 #include "generator/study/path_to_accuracy.hpp"
 #include "generator/support/bar.hpp"
@@ -373,10 +374,48 @@ Advice advice_with_loops(Builds& builds, const LoweredScene& scene, const Advice
     return std::move(adviser).with_race(course, wishes.accuracy, measures, deadline);
 }
 
+/// Throws InputError where sums stay loops. NOTE: of scaled time the length of a run is that of s,
+/// and the number of steps is one of whole ones, or one less.
+Advice advice_eventful(Builds& builds, const LoweredScene& scene, const AdviceWishes& wishes) {
+    if (!scene.written)
+        throw InputError("--accuracy is not built for jumps, kinks that end steps and scaled time "
+                         "where sums stay loops",
+                         scene.scene.place,
+                         "--unroll yes writes the sums out, up to 256 degrees of freedom");
+    constexpr std::int64_t far_more = 16;
+    Adviser adviser(scene.scene.name, scene.system.structure, wishes);
+    const EventfulRuns runs(scene, wishes.until);
+    const Contender fine = eventful_reference_contender(builds, scene);
+    adviser.compile([&](const Candidate& candidate) {
+        return contender(builds, candidate.method, scene, candidate.solver);
+    });
+    fine.module.wait_for_all();
+    const Deadline deadline(wishes.seconds);
+    const double wanted = part_of_accuracy * wishes.accuracy;
+    const double h = wishes.until / static_cast<double>(wishes.first_count);
+    const double length = runs.length(fine, h, wishes.seconds / 4);
+    const std::int64_t count = std::max<std::int64_t>(1, std::llround(length / h));
+    const Course course{runs.reference(fine, length, count, wanted, wishes.seconds / 4),
+                        length,
+                        count,
+                        {},
+                        !scene.system.time.has_value()};
+    if (!(course.reference.error <= wanted))
+        refuse_reference(scene.scene.name, course.reference.error);
+    std::vector<MeasureSteps> measures;
+    for (const Contender& contender : adviser.contenders())
+        measures.emplace_back([&runs, &contender, length](std::int64_t steps, double seconds) {
+            return runs.measured(contender, length / static_cast<double>(steps), seconds,
+                                 far_more * (steps + 1));
+        });
+    return std::move(adviser).with_race(course, wishes.accuracy, measures, deadline);
+}
+
 }  // namespace
 
 Advice advice(Builds& builds, const Scene& scene, const AdviceWishes& wishes) {
     const LoweredScene system = lowered(scene, wishes.sums);
+    if (is_eventful(scene)) return advice_eventful(builds, system, wishes);
     return system.written ? advice_written_out(builds, system, wishes)
                           : advice_with_loops(builds, system, wishes);
 }

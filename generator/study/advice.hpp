@@ -44,8 +44,9 @@ struct Advice {
 
 /// Compiles all candidates, runs them, and says on standard error what it is at, where that is a
 /// terminal. No run is begun that would end after the time that there is, as far as those before it
-/// tell. Throws MathError where none gets there with any steps, or nothing is known so well as to
-/// tell; and what scene_stepper(), a Build and ask() do.
+/// tell. Steps of scaled time are parts of its length. Throws MathError where none gets there with
+/// any steps, or nothing is known so well as to tell; InputError for jumps, kinks and scaled time
+/// where sums stay loops; and what scene_stepper(), a Build and ask() do.
 [[nodiscard]] Advice advice(Builds& builds, const Scene& scene, const AdviceWishes& wishes);
 
 }  // namespace hvi::gen

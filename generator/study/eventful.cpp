@@ -17,8 +17,6 @@ namespace hvi::gen {
 
 namespace {
 
-constexpr double seconds_of_reference = 20;
-
 /// The events that change where a run goes.
 std::vector<DrivenEvent> jumps_of(const LoweredScene& scene) {
     HVI_CHECK(scene.written.has_value());
@@ -64,6 +62,23 @@ private:
     double error_ = infinite;
 };
 
+/// Seconds since it was made.
+class Stopwatch {
+public:
+    [[nodiscard]] double seconds() const {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    }
+
+private:
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+[[noreturn]] void refuse_solution(const Contender& contender) {
+    throw MathError("there is no reference solution: " + contender.title +
+                        " does not come to the end",
+                    {}, "give the scene an [exact] solution, or another end by `until`");
+}
+
 }  // namespace
 
 bool is_eventful(const Scene& scene) {
@@ -78,15 +93,15 @@ EventfulRuns::EventfulRuns(const LoweredScene& scene, double until)
 }
 
 // NOTE: in scaled time nobody knows how many steps it takes.
-EventfulRunWishes EventfulRuns::wishes(double h) const {
-    constexpr std::int64_t most = 1'000'000'000;
+EventfulRunWishes EventfulRuns::wishes(double h, std::int64_t most) const {
     const std::int64_t steps = clock_ ? most : std::llround(until_ / h);
     return {.h = h, .steps = steps, .events = events_, .clock = clock_};
 }
 
 // NOTE: of scaled time the last step is a shorter one, which counts.
-Measurement EventfulRuns::measured(const Contender& contender, double h, double seconds) const {
-    EventfulRunWishes all = wishes(h);
+Measurement EventfulRuns::measured(const Contender& contender, double h, double seconds,
+                                   std::int64_t most) const {
+    EventfulRunWishes all = wishes(h, most);
     all.seconds = seconds;
     Measurement run = measure(contender.module.target(), all).run;
     if (clock_ && run.ok()) ++run.steps;
@@ -95,32 +110,51 @@ Measurement EventfulRuns::measured(const Contender& contender, double h, double 
 
 DepartureSamples EventfulRuns::departures(const Contender& contender, double h,
                                           std::int64_t parts) const {
-    EventfulRunWishes all = wishes(h);
+    EventfulRunWishes all = wishes(h, most_steps);
     all.samples = parts;
     return sample_departures(contender.module.target(), all);
 }
 
+// NOTE: a run may stop where dt/ds becomes 0, and never come to its end, so that it gets more steps
+// only where there is time for them.
+double EventfulRuns::length(const Contender& gauss_10, double h, double seconds) const {
+    if (!clock_) return until_;
+    constexpr std::int64_t fewest = 50, first_most = 4096, more = 8;
+    constexpr int most_tries = 40;
+    const Stopwatch clock;
+    std::int64_t most = first_most;
+    for (int tries = 0; tries < most_tries && most < most_steps; ++tries) {
+        const double before = clock.seconds();
+        const Measurement run = measured(gauss_10, h, 0, most);
+        if (run.ok() && run.steps >= fewest) return h * static_cast<double>(run.steps);
+        if (run.ok() || run.steps < most) {
+            h /= 2;
+            continue;
+        }
+        const double now = clock.seconds();
+        if (now + more * (now - before) > seconds) break;
+        most *= more;
+    }
+    refuse_solution(gauss_10);
+}
+
 Reference EventfulRuns::reference(const Contender& gauss_10, double length,
-                                  std::int64_t first_count) const {
+                                  std::int64_t first_count, double wanted, double seconds) const {
     if (const WrittenOutScene in_time = unrolled(scene_); has_exact_states(in_time))
         return {"exact", 0, exact_state(in_time, until_)};
-    using Clock = std::chrono::steady_clock;
-    constexpr std::int64_t most_steps = 100'000'000;
-    const Clock::time_point start = Clock::now();
+    constexpr std::int64_t most_counted = 100'000'000;
+    const Stopwatch clock;
     Refined ends;
-    for (std::int64_t count = std::max<std::int64_t>(1, first_count / 16); count < most_steps;
+    for (std::int64_t count = std::max<std::int64_t>(1, first_count / 16); count < most_counted;
          count *= 2) {
-        const Clock::time_point before = Clock::now();
+        const double before = clock.seconds();
         const Measurement run = measured(gauss_10, length / static_cast<double>(count), 0);
         if (run.ok() && !ends.add(std::get<EndOfRun>(run.end).state)) break;
-        const Clock::time_point now = Clock::now();
-        const std::chrono::duration<double> taken = now - start, last = now - before;
-        if (taken.count() + 2 * last.count() > seconds_of_reference) break;
+        if (ends.error() <= wanted) break;
+        const double now = clock.seconds();
+        if (now + 2 * (now - before) > seconds) break;
     }
-    if (ends.state().empty())
-        throw MathError("there is no reference solution: " + gauss_10.title +
-                            " does not come to the end",
-                        {}, "give the scene an [exact] solution, or another end by `until`");
+    if (ends.state().empty()) refuse_solution(gauss_10);
     return {gauss_10.title + " in 53 bits", ends.error(), ends.state()};
 }
 

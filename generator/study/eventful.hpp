@@ -25,8 +25,9 @@ public:
     /// Throws as driven_events() does. Precondition: sums are written out.
     EventfulRuns(const LoweredScene& scene, double until);
 
-    /// A run in steps of this size.
-    [[nodiscard]] Measurement measured(const Contender& contender, double h, double seconds) const;
+    /// A run in steps of this size, of which scaled time takes so many at most.
+    [[nodiscard]] Measurement measured(const Contender& contender, double h, double seconds,
+                                       std::int64_t most = most_steps) const;
 
     /// The departures along the same run, in so many parts.
     [[nodiscard]] DepartureSamples departures(const Contender& contender, double h,
@@ -36,14 +37,23 @@ public:
         return clock_ ? StepVariable::scaled_time : StepVariable::time;
     }
 
+    /// The length of a run in what steps are of: the time, or scaled time to some per cent, as runs
+    /// in steps of this size tell, or in smaller ones. These take so many seconds. Throws MathError
+    /// where none comes to the end.
+    [[nodiscard]] double length(const Contender& gauss_10, double h, double seconds) const;
+
     /// The state at the end: the exact one of the scene, or by gauss:10 in double. Of the last,
-    /// steps are halved until rounding moves the end, or for some seconds; the scene's own are
-    /// length / first_count. Throws MathError where no run comes to the end.
+    /// steps are halved until the end moves by no more than `wanted` or by rounding, or for so many
+    /// seconds; the scene's own are length / first_count. Throws MathError where no run comes to
+    /// the end.
     [[nodiscard]] Reference reference(const Contender& gauss_10, double length,
-                                      std::int64_t first_count) const;
+                                      std::int64_t first_count, double wanted = 0,
+                                      double seconds = 20) const;
 
 private:
-    [[nodiscard]] EventfulRunWishes wishes(double h) const;
+    static constexpr std::int64_t most_steps = 1'000'000'000;
+
+    [[nodiscard]] EventfulRunWishes wishes(double h, std::int64_t most) const;
 
     Scene scene_;
     double until_;

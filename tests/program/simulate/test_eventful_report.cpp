@@ -175,24 +175,6 @@ scale = "1 + q[1]^2"
             "--unroll no", "time where sums stay loops");
 }
 
-TEST_CASE("no method is found for an accuracy of runs that jump, end at kinks, or in scaled time") {
-    const Directory directory;
-    const auto refused = [&](const std::string& text, const std::string& message) {
-        write(directory / "scene.toml", text);
-        for (const std::string command : {"run", "stepper"}) {
-            const Outcome result = hvi_gen(
-                {command, "scene.toml", "--accuracy", "1e-3", "-o", "out"}, directory.path());
-            INFO(command + result.err);
-            CHECK(result.status == 2);
-            CHECK(result.err.find(message) != std::string::npos);
-        }
-    };
-    refused(std::string(ball) + floor_of_ball, "--accuracy is not built for events that jump");
-    refused(std::string(ball) + "[time]\nkinks = \"events\"\n",
-            "--accuracy is not built for kinks that end steps");
-    refused(scaled_oscillator, "--accuracy is not built for scenes with a scale of the time");
-}
-
 TEST_CASE("steps of a report in scaled time that lead away from its end") {
     const Directory directory;
     write(directory / "scene.toml", scaled_oscillator);

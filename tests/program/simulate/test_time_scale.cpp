@@ -417,7 +417,6 @@ TEST_CASE("scales that are none are refused with their place") {
     refused("scale = true", 2, "scene.toml");
     refused("scales = \"x\"", 2, "`scales`");
     refused("", 2, "there is no scale");
-    refused("scale = \"x\"", 2, "--accuracy is not built", "--accuracy 1e-6");
     refused("scale = \"distance\"", 1, "steps of this size lead away", "--until=-1");
     const SceneRun mixed =
         run_scene("hamiltonian = \"(1 + q^2)*p^2/2 - 1\"\ncoordinates = [\"q\"]\n"

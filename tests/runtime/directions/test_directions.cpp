@@ -1,7 +1,5 @@
 // Directions that steps carry along, beside dual numbers that differentiate the same steps.
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <driver/dual.hpp>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,6 +10,7 @@
 #include <type_traits>
 #include <vector>
 
+#include <catch2/catch.hpp>
 #include <directions/composed_nonseparable.hpp>
 #include <directions/driven_midpoint.hpp>
 #include <directions/driven_pendulum.hpp>
@@ -22,6 +21,8 @@
 #include <directions/dual_driven_verlet.hpp>
 #include <directions/dual_euler_henon.hpp>
 #include <directions/dual_gauss_3_kepler.hpp>
+#include <directions/dual_gauss_comet.hpp>
+#include <directions/dual_gauss_planet.hpp>
 #include <directions/dual_kahan_li_kepler.hpp>
 #include <directions/dual_kepler.hpp>
 #include <directions/dual_lobatto_henon.hpp>
@@ -30,15 +31,19 @@
 #include <directions/dual_radau_nonseparable.hpp>
 #include <directions/dual_stiff_pair.hpp>
 #include <directions/dual_stiff_spring.hpp>
+#include <directions/dual_verlet_comet.hpp>
 #include <directions/dual_verlet_henon.hpp>
 #include <directions/euler_henon.hpp>
 #include <directions/fixed_point_kepler.hpp>
 #include <directions/gauss_3_kepler.hpp>
 #include <directions/gauss_bead.hpp>
 #include <directions/gauss_chain.hpp>
+#include <directions/gauss_comet.hpp>
 #include <directions/gauss_kepler.hpp>
 #include <directions/gauss_nonseparable.hpp>
 #include <directions/gauss_oscillator.hpp>
+#include <directions/gauss_planet.hpp>
+#include <directions/gauss_springs.hpp>
 #include <directions/kahan_li_kepler.hpp>
 #include <directions/lobatto_henon.hpp>
 #include <directions/midpoint_kepler.hpp>
@@ -46,9 +51,9 @@
 #include <directions/stiff_pair.hpp>
 #include <directions/stiff_spring.hpp>
 #include <directions/verlet_chain.hpp>
+#include <directions/verlet_comet.hpp>
 #include <directions/verlet_henon.hpp>
-
-#include <catch2/catch.hpp>
+#include <driver/dual.hpp>
 
 namespace {
 
@@ -208,6 +213,18 @@ TEST_CASE("directions look at H at the times of the stages") {
     CHECK(difference<DrivenVerlet, BasicDualDrivenVerlet<Dual<2>>>(0.1, 100) < 1e-13);
 }
 
+TEST_CASE("directions in scaled time have parts along the time and its momentum") {
+    using hvi::driver::Dual;
+    CHECK(difference<VerletComet, BasicDualVerletComet<Dual<6>>>(0.1, 100) < 1e-12);
+    CHECK(difference<GaussComet, BasicDualGaussComet<Dual<6>>>(0.1, 100) < 1e-12);
+    CHECK(difference<GaussPlanet, BasicDualGaussPlanet<Dual<6>>>(0.2, 100) < 1e-12);
+    CHECK(defect<VerletComet>(0.1, 1000) < 1e-12);
+    CHECK(defect<GaussPlanet>(0.2, 1000) < 1e-12);
+    CHECK(change_of_product<VerletComet>(0.1, 201) < 1e-11);
+    CHECK(change_of_product<GaussComet>(0.1, 201) < 1e-11);
+    CHECK(change_of_product<GaussPlanet>(0.2, 201) < 1e-11);
+}
+
 TEST_CASE("directions of stiff motion, where sweeps diverge, are solved for at once") {
     using hvi::driver::Dual;
     // NOTE: a step is ten radians of the spring, and three of the pair.
@@ -244,7 +261,7 @@ TEST_CASE("covectors are pulled back by the transposed derivative") {
     CHECK(change_of_product<GaussBead>(0.1, 1001) < 1e-12);
 }
 
-/// <lambda, d> at the end of a run of a thousand masses and at its beginning, relative to the size.
+/// <lambda, d> at the end of a run of many masses and at its beginning, relative to the size.
 template <class Chain>
 double change_of_product_of_chain(double h, int steps) {
     Chain stepper;
@@ -278,9 +295,10 @@ double change_of_product_of_chain(double h, int steps) {
     return std::abs(product(lambda, start) - after) / size;
 }
 
-TEST_CASE("directions of a thousand masses whose sums stay loops") {
+TEST_CASE("directions of many masses whose sums stay loops") {
     CHECK(change_of_product_of_chain<VerletChain>(0.1, 51) < 1e-13);
     CHECK(change_of_product_of_chain<GaussChain>(0.1, 21) < 1e-13);
+    CHECK(change_of_product_of_chain<GaussSprings>(0.1, 21) < 1e-13);
 }
 
 TEST_CASE("a state moves with the bits of a step without directions") {
