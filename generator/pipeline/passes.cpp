@@ -18,9 +18,7 @@ namespace {
 /// Throws InputError for what no pass takes that makes another function of a system.
 void check_motion(const Scene& scene, std::string_view what) {
     refuse_rotations(scene, what);
-    if (!scene.own.headers.empty())
-        throw InputError(fmt::format("{} is not built for functions of your own", what),
-                         whole(scene.function.source));
+    check_own_functions(scene, what);
 }
 
 /// Throws InputError for what no pass takes that looks at times.
@@ -82,6 +80,12 @@ SceneStepper stepper_of(const Method& method, const Scene& scene, WithoutLoops w
 }
 
 }  // namespace
+
+void check_own_functions(const Scene& scene, std::string_view what) {
+    if (!scene.own.headers.empty())
+        throw InputError(fmt::format("{} is not built for functions of your own", what),
+                         whole(scene.function.source));
+}
 
 void check_directions(const Scene& scene, std::string_view what) { check_scene(scene, what); }
 

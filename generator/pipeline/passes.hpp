@@ -9,6 +9,9 @@
 
 namespace hvi::gen {
 
+/// Throws InputError, with `what` wishes for it, for functions of the user's own.
+void check_own_functions(const Scene& scene, std::string_view what);
+
 /// Throws InputError, with `what` wishes for directions that steps carry along, for rotations,
 /// scaled time and functions of the user's own.
 void check_directions(const Scene& scene, std::string_view what);
