@@ -71,7 +71,6 @@ SceneStepper stepper_in_duals(const SceneStepper& stepper, const Method& method,
             fmt::format("--unroll yes writes the sums out, up to {} degrees of freedom",
                         most_degrees_of_freedom));
     wishes.float128 = true;
-    wishes.invariants = false;
     SceneStepper result = scene_stepper(method, scene, wishes);
     result.step.carries = Carries::duals;
     return result;
