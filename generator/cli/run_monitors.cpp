@@ -160,8 +160,8 @@ void add_event(const MonitorFindings& found, Lines& lines) {
     if (!found.event || !directions.fault.empty()) return;
     const std::string& name = found.event->name;
     if (!found.event->crossing) {
-        lines.emplace_back("section", "its derivatives are not built for a Lagrangian and where "
-                                      "sums stay loops");
+        lines.emplace_back("section", "its derivatives are not built for a Lagrangian, for "
+                                      "rotations and where sums stay loops");
         return;
     }
     if (directions.event_time.empty()) {
@@ -207,9 +207,9 @@ Monitors wished_monitors(const MethodAndScene& both, const SceneStepper& stepper
         const std::string_view what = wish_for_directions(options);
         check_steps(both.scene, what);
         check_count_of_directions(both.scene, options);
-        // NOTE: what carries directions along is compiled.
+        // NOTE: what carries directions along is compiled, as all that has rotations is.
         result.tangent =
-            runner.interprets()
+            runner.interprets() && both.scene.rotations.texts.empty()
                 ? tangent_stepper(both.method, both.scene, wishes, what)
                 : stepper_of_directions(stepper, both.method, both.scene, wishes, what);
         if (both.scene.scale) result.motion = motion_of_scaled_time(both.scene, stepper, what);

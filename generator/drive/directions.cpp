@@ -24,6 +24,19 @@ double norm_of(const DirectionVector& v) {
     return largest * std::sqrt(sum);
 }
 
+double symplectic_form(const DrivenStepper::State& x, const DirectionVector& v,
+                       const DirectionVector& w) {
+    const std::size_t n = v.size() / 2, rotations = (x.q.size() - x.p.size()) / 6;
+    double form = 0;
+    for (std::size_t k = 0; k < n; ++k) form += v[k] * w[n + k] - v[n + k] * w[k];
+    for (std::size_t r = n - 3 * rotations; r < n; r += 3)
+        for (std::size_t a = 0; a < 3; ++a) {
+            const std::size_t b = r + (a + 1) % 3, c = r + (a + 2) % 3;
+            form += x.p[r + a] * (v[b] * w[c] - v[c] * w[b]);
+        }
+    return form;
+}
+
 DirectionVector DirectionsAtOneTime::without_time(const DirectionVector& v) const {
     const double part = v[n_ - 1] / motion_[n_ - 1];
     DirectionVector result = v;
@@ -85,7 +98,7 @@ public:
     DrivenStepper::State state() const override { return {{x_.q, x_.p}}; }
 
 private:
-    [[nodiscard]] std::size_t size() const { return x_.q.size() + x_.p.size(); }
+    [[nodiscard]] std::size_t size() const { return 2 * x_.p.size(); }
 
     DrivenStepper stepper_;
     DrivenStepper::State x_;
@@ -162,7 +175,7 @@ std::unique_ptr<MovedDirections> moved(std::size_t count) {
 
 std::size_t degrees_of_problem() {
     const DrivenStepper stepper = DrivenProblem::stepper();
-    const std::size_t degrees = stepper.initial().q.size();
+    const std::size_t degrees = stepper.initial().p.size();
     return stepper.carries_directions() ? degrees : degrees / 2;
 }
 

@@ -12,11 +12,22 @@
 
 namespace hvi::gen {
 
-/// Numbers of a direction: dq, then dp.
+/// Numbers of a direction: dq, then dp. Of a rotation R they are the theta of R exp(hat theta), and
+/// of its angular momentum in the body dL.
 using DirectionVector = std::vector<double>;
 
 [[nodiscard]] double norm_of(const DirectionVector& v);
 [[nodiscard]] double product_of(const DirectionVector& v, const DirectionVector& w);
+
+/// The symplectic form of two directions at a state:
+///
+///     sum (dq_v dp_w - dp_v dq_w) + sum L . (theta_v x theta_w),
+///
+/// the first sum with theta and dL as well, the second over rotations (R. Abraham & J. E. Marsden,
+/// Foundations of Mechanics, 1978, Proposition 4.4.1). In scaled time directions are those at one
+/// time.
+[[nodiscard]] double symplectic_form(const DrivenStepper::State& x, const DirectionVector& v,
+                                     const DirectionVector& w);
 
 /// The direction in a state (q, dq), (dp, p).
 [[nodiscard]] DirectionVector direction_of(const DrivenStepper::State& x);

@@ -167,19 +167,20 @@ bool tell_sali(const TangentWishes& wishes, ProgressOfSteps progress) {
     return true;
 }
 
-/// Returns the largest entry of D^T J D - J, over the square of the largest of D: 0 but for
-/// rounding.
-double symplecticity_error(const std::vector<DirectionVector>& columns) {
-    const std::size_t n = columns.size() / 2;
+/// Returns how much the symplectic form of the units at `start` changes on their way to the columns
+/// of D at `end`: the largest entry of D^T J D - J, over the square of the largest of D. It is 0
+/// but for rounding.
+double symplecticity_error(const DrivenStepper::State& start, const DrivenStepper::State& end,
+                           const std::vector<DirectionVector>& columns) {
+    const std::vector<DirectionVector> units = all_units(columns.size());
     double largest = 1, error = 0;
     for (const DirectionVector& v : columns)
         for (const double value : v) largest = std::max(largest, std::abs(value));
     for (std::size_t a = 0; a < columns.size(); ++a)
         for (std::size_t b = a + 1; b < columns.size(); ++b) {
-            double form = b == a + n ? -1 : 0;
-            for (std::size_t k = 0; k < n; ++k)
-                form += columns[a][k] * columns[b][n + k] - columns[a][n + k] * columns[b][k];
-            error = std::max(error, std::abs(form));
+            const double change = symplectic_form(end, columns[a], columns[b]) -
+                                  symplectic_form(start, units[a], units[b]);
+            error = std::max(error, std::abs(change));
         }
     return error / (largest * largest);
 }
@@ -219,10 +220,11 @@ bool stays(const EventCrossing& crossing, const TangentWishes& wishes) {
 
 bool tell_matrix(const TangentWishes& wishes, ProgressOfSteps progress) {
     Directions directions(all_units(numbers_of(wishes)), wishes.motion);
+    const DrivenStepper::State start = directions.state();
     if (!take(directions, wishes, progress, [](std::int64_t) {})) return false;
     const std::vector<DirectionVector> columns = directions.all();
     tell_rows("entry", columns);
-    driver::say("form", symplecticity_error(columns));
+    driver::say("form", symplecticity_error(start, directions.state(), columns));
     if (!wishes.crossing) return true;
     const EventCrossing crossing = wishes.crossing(directions.state(), wishes.t);
     if (const auto of = derivative_of(crossing, directions, wishes)) tell_event(*of);

@@ -255,6 +255,7 @@ struct StageCorrections {
 enum class Carries {
     nothing,
     directions,  ///< any number of them, by its derivative, with the stages of (q, p)
+    duals,       ///< these, as parts of the dual numbers that it is computed in
 };
 
 /// A choice, and why.

@@ -249,6 +249,7 @@ std::string dump(const Step& step) {
         result += fmt::format("shared slopes: {}\n", step.shared_slopes);
     }
     if (step.carries == Carries::directions) { result += "carries: directions\n"; }
+    if (step.carries == Carries::duals) { result += "carries: parts of dual numbers\n"; }
     if (step.corrections) {
         const SolverCosts& costs = step.corrections->costs;
         result += lines(step.corrections->modes) +

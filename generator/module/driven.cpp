@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/module/driven.hpp"
 
+#include <fmt/format.h>
+
 #include <cstddef>
 #include <optional>
 #include <utility>
@@ -80,6 +82,23 @@ std::string skipped(const SceneStepper& stepper) {
     return stepper.own_headers.empty() ? "#define _GLIBCXX_BITS_SPECFUN_H 1" : "";
 }
 
+/// What a module is made of by the numbers in which its steps are computed.
+struct NumbersOfModule {
+    std::string include;  ///< before the header of the stepper
+    std::string driven;   ///< the header with the functions of the module
+    std::string stepper;  ///< its class
+};
+
+/// NOTE: six parts are all directions of one body.
+NumbersOfModule numbers_of(const SceneStepper& stepper) {
+    constexpr int parts = 6;
+    if (stepper.step.carries != Carries::duals) {
+        return {"", "hvi/detail/module/driven.hpp", stepper.class_name};
+    }
+    return {"#include <driver/dual.hpp>", "driver/carried_in_duals.hpp",
+            fmt::format("Basic{}<hvi::driver::Dual<{}>>", stepper.class_name, parts)};
+}
+
 }  // namespace
 
 DrivenSystem driven_system(const System& system) {
@@ -96,14 +115,16 @@ DrivenModule driven_module(const SceneStepper& stepper) {
     const System& system = driven.system;
     DrivenModule module;
     module.numbers = std::move(driven.numbers);
-    const std::string& name = stepper.class_name;
+    const NumbersOfModule numbers = numbers_of(stepper);
     const std::string skip = skipped(stepper);
     const auto source = [&](SeldomSolvers seldom) {
-        Holes holes = stepper_holes(system, name, class_text(stepper, system, seldom));
+        Holes holes = stepper_holes(system, numbers.stepper, class_text(stepper, system, seldom));
         holes.emplace("skip", skip);
+        holes.emplace("numbers", numbers.include);
+        holes.emplace("driven", numbers.driven);
         return fill("driven.cpp.in", holes);
     };
-    if (!has_seldom_solvers(stepper.step)) {
+    if (!has_seldom_solvers(stepper.step) || stepper.step.carries == Carries::duals) {
         module.source = source(SeldomSolvers::within);
         return module;
     }
@@ -111,7 +132,7 @@ DrivenModule driven_module(const SceneStepper& stepper) {
     module.solvers =
         fill("solvers.cpp.in", {{"skip", skip},
                                 {"stepper", class_text(stepper, system, SeldomSolvers::alone)},
-                                {"class", name}});
+                                {"class", stepper.class_name}});
     return module;
 }
 

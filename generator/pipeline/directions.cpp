@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/pipeline/directions.hpp"
 
+#include <fmt/format.h>
+
 #include "generator/emit/steps/tangent.hpp"
 #include "generator/exact/methods/composed_method.hpp"
 #include "generator/pipeline/passes.hpp"
@@ -58,6 +60,22 @@ void carry_directions(SceneStepper& stepper) {
     stepper.evaluations->directions = direction_kernels(stepper.system);
 }
 
+/// A stepper whose steps are to be computed in dual numbers, as those of rotations are.
+SceneStepper stepper_in_duals(const SceneStepper& stepper, const Method& method, const Scene& scene,
+                              StepperWishes wishes, std::string_view what) {
+    check_own_functions(scene, what);
+    if (stepper.step.container != Container::arrays)
+        throw InputError(
+            fmt::format("{} is not built for rotations where sums stay loops", what),
+            whole(scene.function.source),
+            fmt::format("--unroll yes writes the sums out, up to {} degrees of freedom",
+                        most_degrees_of_freedom));
+    wishes.float128 = true;
+    SceneStepper result = scene_stepper(method, scene, wishes);
+    result.step.carries = Carries::duals;
+    return result;
+}
+
 }  // namespace
 
 void add_directions(SceneStepper& stepper, const Method& method, const Scene& scene,
@@ -87,6 +105,8 @@ void add_directions(SceneStepper& stepper, const Method& method, const Scene& sc
 SceneStepper stepper_of_directions(const SceneStepper& stepper, const Method& method,
                                    const Scene& scene, const StepperWishes& wishes,
                                    std::string_view what) {
+    if (!scene.rotations.texts.empty())
+        return stepper_in_duals(stepper, method, scene, wishes, what);
     if (!carries_along(stepper, wishes))
         return tangent_stepper(method, scene, wishes, what);
     check_motion(scene, what);

@@ -14,7 +14,9 @@ void add_directions(SceneStepper& stepper, const Method& method, const Scene& sc
                     const StepperWishes& wishes);
 
 /// A stepper for the directions of a run, whose steps carry them along, or that of
-/// tangent_stepper(). Throws as that does. Precondition: `stepper` is of these arguments.
+/// tangent_stepper(). Throws as that does; of rotations, which are carried in dual numbers, for
+/// functions of the user's own and sums that stay loops. Precondition: `stepper` is of these
+/// arguments.
 [[nodiscard]] SceneStepper stepper_of_directions(const SceneStepper& stepper, const Method& method,
                                                  const Scene& scene, const StepperWishes& wishes,
                                                  std::string_view what);

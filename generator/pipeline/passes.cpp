@@ -79,11 +79,15 @@ void check_start_of_momentum(const System& system, const Scene& scene, std::stri
 
 }  // namespace
 
-void check_motion(const Scene& scene, std::string_view what) {
-    refuse_rotations(scene, what);
+void check_own_functions(const Scene& scene, std::string_view what) {
     if (!scene.own.headers.empty())
         throw InputError(fmt::format("{} is not built for functions of your own", what),
                          whole(scene.function.source));
+}
+
+void check_motion(const Scene& scene, std::string_view what) {
+    refuse_rotations(scene, what);
+    check_own_functions(scene, what);
 }
 
 SceneStepper tangent_stepper(const Method& method, const Scene& scene, const StepperWishes& wishes,

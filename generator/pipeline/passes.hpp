@@ -9,6 +9,9 @@
 
 namespace hvi::gen {
 
+/// Throws InputError, with `what` wishes for it, for functions of the user's own.
+void check_own_functions(const Scene& scene, std::string_view what);
+
 /// Throws InputError, with `what` wishes for it, for what has no steps of another function of the
 /// scene, as of a direction along it: rotations, and functions of the user's own.
 void check_motion(const Scene& scene, std::string_view what);

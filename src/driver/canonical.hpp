@@ -8,6 +8,7 @@
 #include <utility>
 
 #include <driver/dual.hpp>
+#include <driver/turns.hpp>
 #include <hvi/detail/trajectories/flat.hpp>
 
 namespace hvi::driver {
@@ -85,10 +86,9 @@ private:
         const std::size_t R = flat_ones() + 9 * r, L = first(r);
         for (std::size_t a = 0; a < 3; ++a) {
             const std::size_t b = (a + 1) % 3, c = (a + 2) % 3;
-            for (std::size_t i = 0; i < 3; ++i) {
-                at.q[R + 3 * i + b].by[L + a] = at.q[R + 3 * i + c].value;
-                at.q[R + 3 * i + c].by[L + a] = -at.q[R + 3 * i + b].value;
-            }
+            std::array<double, 3> unit{};
+            unit[a] = 1;
+            set_turn(&at.q[R], L + a, unit);
             at.p[L + b].by[L + a] = at.p[L + c].value / 2;
             at.p[L + c].by[L + a] = -at.p[L + b].value / 2;
             at.p[L + a].by[n + L + a] = 1;
@@ -99,14 +99,7 @@ private:
     static void add_rotation(std::pair<Parts, Parts>& parts, const At& at, std::size_t r,
                              std::size_t i) {
         const std::size_t R = flat_ones() + 9 * r, L = first(r);
-        std::array<double, 3> dxi{};
-        for (std::size_t a = 0; a < 3; ++a) {
-            const std::size_t b = (a + 1) % 3, c = (a + 2) % 3;
-            for (std::size_t k = 0; k < 3; ++k) {
-                // entry c, b of R^T dR
-                dxi[a] += at.q[R + 3 * k + c].value * at.q[R + 3 * k + b].by[i];
-            }
-        }
+        const std::array<double, 3> dxi = turn_of(&at.q[R], i);
         for (std::size_t a = 0; a < 3; ++a) {
             const std::size_t b = (a + 1) % 3, c = (a + 2) % 3;
             parts.first[L + a][i] = dxi[a];

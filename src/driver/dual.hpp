@@ -47,6 +47,9 @@ public:
         for (std::size_t i = 0; i < n; ++i) { by[i] = x.by[i]; }
     }
 
+    /// Returns the value.
+    explicit constexpr operator double() const { return value; }
+
     /// Returns f(x), given f(x.value) and f'(x.value). NOTE: a zero derivative of x gives a zero
     /// derivative of f(x) even where f' is infinite.
     [[nodiscard]] friend constexpr Dual chain(const Dual& x, double f, double slope) {
@@ -97,6 +100,12 @@ public:
     }
     friend constexpr bool operator!=(const Dual& x, const Dual& y) { return !(x == y); }
 };
+
+/// Derivatives that a number has beside its value.
+template <class Number>
+inline constexpr std::size_t parts_of = 0;
+template <std::size_t n>
+inline constexpr std::size_t parts_of<Dual<n>> = n;
 
 /// Returns variable number i with this value.
 template <std::size_t n>

@@ -380,7 +380,6 @@ TEST_CASE("directions that are not built are refused") {
         CHECK(outcome.status == 2);
         CHECK(outcome.err.find(message) != std::string::npos);
     };
-    refused("heavy-top --megno --method gauss:4", "--megno is not built for scenes with rotations");
     refused("scene.toml --lyapunov=all", "no such value of --lyapunov: `all`");
     refused("scene.toml --tangent=1", "--tangent takes no value");
     refused("fpu-chain --tangent --param N=257", "there are 257; it is built for at most 256");

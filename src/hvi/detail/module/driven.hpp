@@ -14,10 +14,12 @@
 
 namespace hvi::detail {
 
-/// An instance whose steps may carry directions along.
+/// An instance whose steps may carry directions along. Those of dual numbers do by another
+/// specialisation: <driver/carried_in_duals.hpp>.
 template <class Problem, class = void>
 class DrivenInstance : public Instance<Problem> {
 public:
+    static constexpr bool carries_directions = false;
     using Instance<Problem>::Instance;
 };
 
@@ -25,6 +27,7 @@ template <class Problem>
 class DrivenInstance<Problem, std::enable_if_t<CarriesDirections<typename Problem::Stepper>::value>>
     : public Instance<Problem> {
 public:
+    static constexpr bool carries_directions = true;
     using Scalar = typename Problem::Stepper::Scalar;
     using Instance<Problem>::Instance;
 
@@ -118,7 +121,7 @@ private:
     }
 
     static constexpr Carry carry_of() {
-        if constexpr (CarriesDirections<typename Problem::Stepper>::value) {
+        if constexpr (Of::carries_directions) {
             return carry;
         } else {
             return nullptr;

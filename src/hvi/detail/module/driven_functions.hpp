@@ -48,8 +48,8 @@ struct DrivenFunctions {
     int (*follow)(void* stepper, double* state, double h, std::int64_t steps,
                   Departure* departures);
     /// Takes a step, and so many directions along, q and p of each one after the other: the code of
-    /// its status, as of take(). Unless that is ok, the directions have kept their bits. Null where
-    /// steps carry none.
+    /// its status, as of take(). A rotation has three numbers, the theta of R exp(hat theta).
+    /// Unless the status is ok, the directions have kept their bits. Null where steps carry none.
     int (*carry)(void* stepper, double* state, double* directions, std::size_t count, double h);
     /// Forgets what steps have left behind.
     void (*reset)(void* stepper);

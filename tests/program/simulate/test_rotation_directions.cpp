@@ -1,0 +1,382 @@
+// Directions of bodies that turn: the derivative of the flow, and how chaotic it is.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <catch2/catch.hpp>
+
+#include "tests/program/simulate/scene_run.hpp"
+
+using namespace hvi::test;
+
+namespace {
+
+using Vector = std::array<double, 3>;
+using Matrix = std::array<double, 9>;  ///< row by row
+using Quaternion = std::array<double, 4>;
+
+Vector operator+(const Vector& a, const Vector& b) {
+    return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
+}
+Vector operator*(double c, const Vector& a) { return {c * a[0], c * a[1], c * a[2]}; }
+Vector operator-(const Vector& a, const Vector& b) { return a + -1.0 * b; }
+Vector cross(const Vector& a, const Vector& b) {
+    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+Vector unit(std::size_t k) {
+    Vector e{};
+    e[k] = 1;
+    return e;
+}
+
+Quaternion product(const Quaternion& a, const Quaternion& b) {
+    const Vector u{a[1], a[2], a[3]}, v{b[1], b[2], b[3]};
+    const Vector w = a[0] * v + b[0] * u + cross(u, v);
+    return {a[0] * b[0] - dot(u, v), w[0], w[1], w[2]};
+}
+
+/// exp(hat theta) as a quaternion.
+Quaternion turn(const Vector& theta) {
+    const double angle = std::sqrt(dot(theta, theta));
+    const Vector v = angle == 0 ? Vector{} : (std::sin(angle / 2) / angle) * theta;
+    return {std::cos(angle / 2), v[0], v[1], v[2]};
+}
+
+/// R a, or R^T a.
+Vector times(const Matrix& R, const Vector& a) {
+    return {R[0] * a[0] + R[1] * a[1] + R[2] * a[2], R[3] * a[0] + R[4] * a[1] + R[5] * a[2],
+            R[6] * a[0] + R[7] * a[1] + R[8] * a[2]};
+}
+Vector transposed_times(const Matrix& R, const Vector& a) {
+    return times({R[0], R[3], R[6], R[1], R[4], R[7], R[2], R[5], R[8]}, a);
+}
+
+/// theta of dR = R hat(theta).
+Vector turn_of(const Matrix& R, const Matrix& dR) {
+    Vector theta{};
+    for (std::size_t a = 0; a < 3; ++a) {
+        const std::size_t b = (a + 1) % 3, c = (a + 2) % 3;
+        for (std::size_t i = 0; i < 9; i += 3)
+            theta[a] += (R[i + c] * dR[i + b] - R[i + b] * dR[i + c]) / 2;
+    }
+    return theta;
+}
+
+std::string text_of(double x) {
+    char text[40];
+    std::snprintf(text, sizeof text, "\"%.17g\"", x);
+    return text;
+}
+
+template <std::size_t n>
+std::string list_of(const std::array<double, n>& all) {
+    std::string text;
+    for (const double x : all) text += (text.empty() ? "[" : ", ") + text_of(x);
+    return text + "]";
+}
+
+/// Where a body is, and its angular momentum.
+struct Body {
+    Quaternion q;
+    Vector L;
+};
+
+/// A scene of one body that begins so, without the lines of its run.
+std::string body(const std::string& H, const Body& start) {
+    return "rotations = [\"R\"]\nangular_momenta = [\"L\"]\nhamiltonian = \"" + H +
+           "\"\ninitial = {R = {quaternion = " + list_of(start.q) + "}, L = " + list_of(start.L) +
+           "}\n";
+}
+
+const std::string top_in_gravity =
+    "L[1]^2/2 + L[2]^2/4 + L[3]^2/6 + 3*R[3,1]/10 + R[3,2]/10 + R[3,3]";
+const Body start_of_top{{std::cos(0.5), 0, std::sin(0.5), 0}, {0.5, 1, -0.7}};
+
+/// R and L in a row of the table of one body.
+Matrix rotation_in(const std::vector<double>& row) {
+    Matrix R{};
+    std::copy_n(row.begin() + 1, 9, R.begin());
+    return R;
+}
+Vector momentum_in(const std::vector<double>& row) { return {row[10], row[11], row[12]}; }
+
+/// Start moved by component k of theta and dL.
+Body moved(const Body& start, std::size_t k, double by) {
+    Body result = start;
+    if (k < 3)
+        result.q = product(start.q, turn(by * unit(k)));
+    else
+        result.L[k - 3] += by;
+    return result;
+}
+
+/// Column k of D, from runs that begin on both sides.
+std::array<double, 6> difference(const std::function<SceneRun(const Body&)>& run, const Body& start,
+                                 const Matrix& R, std::size_t k) {
+    const double by = 1e-5;
+    const auto up = run(moved(start, k, by)).last(), down = run(moved(start, k, -by)).last();
+    Matrix dR{};
+    const Matrix R_up = rotation_in(up), R_down = rotation_in(down);
+    for (std::size_t i = 0; i < 9; ++i) dR[i] = (R_up[i] - R_down[i]) / (2 * by);
+    const Vector theta = turn_of(R, dR);
+    const Vector dL = 1 / (2 * by) * (momentum_in(up) - momentum_in(down));
+    return {theta[0], theta[1], theta[2], dL[0], dL[1], dL[2]};
+}
+
+/// The largest entry of D^T J(L) D - J(L_0), over the square of the largest of D, where the
+/// coordinates are `flat` ones and then turns, in the order of the rows.
+double defect(const std::vector<std::vector<double>>& D, std::size_t flat,
+              const std::vector<double>& L0, const std::vector<double>& L) {
+    const std::size_t n = D.size() / 2;
+    const auto form = [&](const std::vector<double>& of, auto v, auto w) {
+        double sum = 0;
+        for (std::size_t k = 0; k < n; ++k) sum += v(k) * w(n + k) - v(n + k) * w(k);
+        for (std::size_t r = 0; flat + r < n; r += 3) {
+            const auto turn_by = [&](auto d) {
+                return Vector{d(flat + r), d(flat + r + 1), d(flat + r + 2)};
+            };
+            sum += dot({of[r], of[r + 1], of[r + 2]}, cross(turn_by(v), turn_by(w)));
+        }
+        return sum;
+    };
+    double largest = 1, error = 0;
+    for (const auto& row : D)
+        for (const double entry : row) largest = std::max(largest, std::abs(entry));
+    for (std::size_t a = 0; a < 2 * n; ++a)
+        for (std::size_t b = 0; b < a; ++b) {
+            const auto column = [&](std::size_t of) {
+                return [&D, of](std::size_t row) { return D[row][of]; };
+            };
+            const auto e = [](std::size_t of) {
+                return [of](std::size_t row) { return row == of ? 1.0 : 0.0; };
+            };
+            error = std::max(error, std::abs(form(L, column(a), column(b)) - form(L0, e(a), e(b))));
+        }
+    return error / (largest * largest);
+}
+
+// ---- another program: the equations of Euler and Poisson, and their linearisation ----
+
+/// G = R^T e_3 and L of the top in gravity, with a direction theta, dL.
+struct Linearised {
+    Vector G, L, theta, dL;
+
+    [[nodiscard]] Linearised slope() const {
+        const Vector centre{0.3, 0.1, 1};
+        const Vector omega{L[0], L[1] / 2, L[2] / 3}, d_omega{dL[0], dL[1] / 2, dL[2] / 3};
+        return {cross(G, omega), cross(L, omega) + cross(G, centre), d_omega - cross(omega, theta),
+                cross(dL, omega) + cross(L, d_omega) + cross(cross(G, theta), centre)};
+    }
+    [[nodiscard]] Linearised plus(double h, const Linearised& k) const {
+        return {G + h * k.G, L + h * k.L, theta + h * k.theta, dL + h * k.dL};
+    }
+    /// Takes a step of the classical method of Runge and Kutta.
+    void step(double h) {
+        const Linearised a = slope(), b = plus(h / 2, a).slope(), c = plus(h / 2, b).slope(),
+                         d = plus(h, c).slope();
+        *this = plus(h / 6, a).plus(h / 3, b).plus(h / 3, c).plus(h / 6, d);
+    }
+    [[nodiscard]] double norm() const { return std::sqrt(dot(theta, theta) + dot(dL, dL)); }
+};
+
+/// R^T e_3 of a quaternion.
+Vector vertical(const Quaternion& q) {
+    return {2 * (q[1] * q[3] - q[0] * q[2]), 2 * (q[2] * q[3] + q[0] * q[1]),
+            q[0] * q[0] - q[1] * q[1] - q[2] * q[2] + q[3] * q[3]};
+}
+
+}  // namespace
+
+TEST_CASE("the derivative of a free symmetric body is that of its closed form", "[rotations]") {
+    // With the moments A, A, C, the angular momentum l in space, and c = 1/C - 1/A,
+    //
+    //     R = exp(t hat l/A) R_0 exp(t c L_3 hat e_3),    L = exp(-t c L_3 hat e_3) L_0,
+    //
+    // and with u = t l/A the derivative of exp(hat u) is exp(hat u) hat(dexp_-u du).
+    const double A = 2, C = 0.8, t = 3, c = 1 / C - 1 / A;
+    const Body start{{0.8, 0, 0.6, 0}, {0.4, -0.7, 1.1}};
+    const SceneRun found =
+        run_scene(body("(L[1]^2 + L[2]^2)/4 + L[3]^2/(8/5)", start) +
+                      "run = {method = \"gauss:6\", step = \"1/10\", until = 3}\n",
+                  "--tangent");
+    INFO(found.outcome.err);
+    REQUIRE(found.tangent.size() == 6);
+    const Matrix R0 = rotation_in(found.row(0));
+    const Vector l = times(R0, start.L), u = t / A * l, e3 = unit(2);
+    const double x = std::sqrt(dot(u, u)), angle = t * c * start.L[2];
+    const auto dexp = [&](const Vector& v) {
+        const Vector w = cross(u, v);
+        return v - (1 - std::cos(x)) / (x * x) * w + (x - std::sin(x)) / (x * x * x) * cross(u, w);
+    };
+    const auto about_axis = [&](const Vector& v) {  // exp(-angle hat e_3) v
+        const double cosine = std::cos(angle), sine = std::sin(angle);
+        return Vector{cosine * v[0] + sine * v[1], cosine * v[1] - sine * v[0], v[2]};
+    };
+    for (std::size_t k = 0; k < 6; ++k) {
+        const Vector theta0 = k < 3 ? unit(k) : Vector{}, dL0 = k < 3 ? Vector{} : unit(k - 3);
+        const Vector du = t / A * times(R0, cross(theta0, start.L) + dL0);
+        const double turned = t * c * dL0[2];
+        const Vector theta = turned * e3 + about_axis(theta0 + transposed_times(R0, dexp(du)));
+        const Vector dL = about_axis(dL0 - turned * cross(e3, start.L));
+        for (std::size_t i = 0; i < 3; ++i) {
+            CHECK(std::abs(found.tangent[i][k] - theta[i]) < 1e-11);
+            CHECK(std::abs(found.tangent[3 + i][k] - dL[i]) < 1e-11);
+        }
+    }
+}
+
+TEST_CASE("the derivative of a top is that of runs that begin nearby", "[rotations]") {
+    for (const std::string how :
+         {"--method midpoint", "--method gauss:4", "--method lobatto:3 --solver newton",
+          "--method gauss:2 --compose suzuki:4", "--method gauss:3 --until 26/10"}) {
+        CAPTURE(how);
+        const auto run = [&](const Body& start) {
+            return run_scene(body(top_in_gravity, start) + "run = {step = \"1/5\", until = 5}\n",
+                             how);
+        };
+        const SceneRun found =
+            run_scene(body(top_in_gravity, start_of_top) + "run = {step = \"1/5\", until = 5}\n",
+                      "--tangent " + how);
+        INFO(found.outcome.err);
+        REQUIRE(found.tangent.size() == 6);
+        const Matrix R = rotation_in(found.last());
+        for (std::size_t k = 0; k < 6; ++k) {
+            const std::array<double, 6> column = difference(run, start_of_top, R, k);
+            for (std::size_t i = 0; i < 6; ++i)
+                CHECK(std::abs(found.tangent[i][k] - column[i]) < 1e-7);
+        }
+    }
+}
+
+TEST_CASE("the derivative of a top is that of the equations of Euler and Poisson", "[rotations]") {
+    const SceneRun found =
+        run_scene(body(top_in_gravity, start_of_top) +
+                      "run = {method = \"gauss:6\", step = \"1/20\", until = 5}\n",
+                  "--tangent");
+    REQUIRE(found.tangent.size() == 6);
+    for (std::size_t k = 0; k < 6; ++k) {
+        Linearised x{vertical(start_of_top.q), start_of_top.L, k < 3 ? unit(k) : Vector{},
+                     k < 3 ? Vector{} : unit(k - 3)};
+        for (int step = 0; step < 20000; ++step) x.step(5.0 / 20000);
+        for (std::size_t i = 0; i < 3; ++i) {
+            CHECK(std::abs(found.tangent[i][k] - x.theta[i]) < 1e-10);
+            CHECK(std::abs(found.tangent[3 + i][k] - x.dL[i]) < 1e-10);
+        }
+    }
+}
+
+TEST_CASE("the derivative of bodies stays symplectic", "[rotations]") {
+    const SceneRun top = run_scene(body(top_in_gravity, start_of_top) +
+                                       "run = {method = \"gauss:2\", step = \"1/5\"}\n",
+                                   "--tangent --until 2000");
+    REQUIRE(top.tangent.size() == 6);
+    const auto L_of = [](const std::vector<double>& row, std::size_t first, std::size_t count) {
+        const auto begin = row.begin() + static_cast<std::ptrdiff_t>(first);
+        return std::vector<double>(begin, begin + static_cast<std::ptrdiff_t>(count));
+    };
+    CHECK(defect(top.tangent, 0, L_of(top.row(0), 10, 3), L_of(top.last(), 10, 3)) < 1e-12);
+    REQUIRE(top.said("tangent").empty());  // a sentence, no number
+    // An orbit beside a rotation, and 24 directions that take several stepppers.
+    const SceneRun craft = run_words("spacecraft --tangent --until 20");
+    REQUIRE(craft.tangent.size() == 12);
+    CHECK(defect(craft.tangent, 3, L_of(craft.row(0), 16, 3), L_of(craft.last(), 16, 3)) < 1e-13);
+    const SceneRun rotors = run_words("coupled-rotors --tangent --until 10");
+    REQUIRE(rotors.tangent.size() == 24);
+    CHECK(defect(rotors.tangent, 0, L_of(rotors.row(0), 37, 12), L_of(rotors.last(), 37, 12)) <
+          1e-13);
+}
+
+TEST_CASE("a chaotic top has the exponent of another program", "[rotations]") {
+    const Body start{start_of_top.q, {2, 1, 0.5}};
+    Linearised x{vertical(start.q), start.L, {0.5, 0.3, 0.2}, {0.4, -0.6, 0.3}};
+    const double until = 4000, h = 1.0 / 50;
+    double sum = 0;
+    for (int step = 0; step < until / h; ++step) {
+        x.step(h);
+        const double norm = x.norm();
+        sum += std::log(norm);
+        x.theta = 1 / norm * x.theta;
+        x.dL = 1 / norm * x.dL;
+    }
+    const SceneRun found =
+        run_scene(body(top_in_gravity, start) +
+                      "run = {method = \"gauss:4\", step = \"1/5\", until = 4000}\n",
+                  "--lyapunov");
+    CAPTURE(found.outcome.out, found.outcome.err, sum / until);
+    REQUIRE(found.said("lyapunov").size() == 1);
+    CHECK(sum / until > 0.15);
+    CHECK(found.said("lyapunov").front() == Approx(sum / until).epsilon(0.1));
+    CHECK(found.said("megno").front() ==
+          Approx(found.said("lyapunov").front() * until / 2).epsilon(0.2));
+    // Energy and the turn about the vertical have a pair of zeros each.
+    const SceneRun all =
+        run_scene(body(top_in_gravity, start) +
+                      "run = {method = \"gauss:4\", step = \"1/5\", until = 2000}\n",
+                  "--lyapunov=spectrum --sali");
+    const std::vector<double> exponents = all.said("lyapunov");
+    CAPTURE(all.outcome.out);
+    REQUIRE(exponents.size() == 6);
+    CHECK(exponents[0] > 0.15);
+    CHECK(exponents[5] == Approx(-exponents[0]).epsilon(1e-3));
+    for (std::size_t k = 1; k < 5; ++k) CHECK(std::abs(exponents[k]) < 0.01);
+    CHECK(all.said("sali").front() < 1e-12);
+}
+
+TEST_CASE("bodies whose motion is regular have no exponents", "[rotations]") {
+    const std::string run = "run = {method = \"gauss:4\", step = \"1/5\", until = 4000}\n";
+    const auto look = [&](const std::string& H, const Body& start) {
+        const SceneRun found = run_scene(body(H, start) + run, "--lyapunov --sali");
+        CAPTURE(H, found.outcome.out, found.outcome.err);
+        REQUIRE(found.said("lyapunov").size() == 1);
+        // Neighbours move apart in proportion to the time: ln(t)/t.
+        CHECK(std::abs(found.said("lyapunov").front()) < 2 * std::log(4000) / 4000);
+        CHECK(found.said("megno").front() == Approx(2).epsilon(0.05));
+        return found.said("sali").front();
+    };
+    look("L[1]^2/2 + L[2]^2/4 + L[3]^2/6", start_of_top);           // Euler's
+    look("L[1]^2/2 + L[2]^2/2 + L[3]^2/3 + R[3,3]", start_of_top);  // Lagrange's
+    look("L[1]^2/2 + L[2]^2/2 + L[3]^2 + R[3,1]", start_of_top);    // Kovalevskaya's
+}
+
+TEST_CASE("directions of bodies that are not built are refused", "[rotations]") {
+    use_cache();
+    const auto refused = [](const std::string& line, const std::string& message) {
+        const Directory directory;
+        write(directory / "potential.hpp", "template <class T> T V(T x) { return x; }\n");
+        write(directory / "own.toml",
+              body("L[1]^2/2 + L[2]^2/2 + L[3]^2/3 + V(R[3,3])", start_of_top) +
+                  "functions = {V = {header = \"potential.hpp\", arguments = 1}}\n"
+                  "run = {method = \"gauss:4\", step = \"1/5\", until = 1}\n");
+        const Outcome outcome = shell("exec \"$hvi_gen\" " + line, directory.path());
+        CAPTURE(line, outcome.err);
+        CHECK(outcome.status == 2);
+        CHECK(outcome.err.find(message) != std::string::npos);
+    };
+    refused("run coupled-rotors --unroll no --lyapunov",
+            "--lyapunov is not built for rotations where sums stay loops");
+    refused("run own.toml --megno", "--megno is not built for functions of your own");
+    refused("run heavy-top --tangent --interpret", "this cannot be run without a compiler");
+    refused("run heavy-top --sensitivity m",
+            "--sensitivity is not built for scenes with rotations");
+    refused("stepper heavy-top --method gauss:4 --tangent",
+            "--tangent is not built for scenes with rotations");
+}
+
+TEST_CASE("derivatives of an event are not built for bodies, and that is said", "[rotations]") {
+    const SceneRun found = run_scene(body(top_in_gravity, start_of_top) +
+                                         "run = {method = \"gauss:4\", step = \"1/5\", until = 5}\n"
+                                         "[events.level]\nzero = \"R[3,3]\"\nstop = 1\n",
+                                     "--tangent");
+    CAPTURE(found.outcome.out, found.outcome.err);
+    CHECK(found.tangent.size() == 6);
+    CHECK(found.section.empty());
+    CHECK(found.outcome.out.find("not built for a Lagrangian, for rotations") != std::string::npos);
+}
