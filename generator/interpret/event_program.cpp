@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "generator/interpret/tape.hpp"
+#include "generator/interpret/event_row.hpp"
 #include "generator/lower/loop_events.hpp"
 #include "generator/lower/lowered_events.hpp"
 #include "generator/module/driven.hpp"
@@ -16,83 +16,43 @@ namespace {
 
 using State = DrivenStepper::State;
 
-/// Slots of variables and parameters, and their row.
-class EventRow {
-public:
-    explicit EventRow(const LoweredEvents& events) : slots_(events.graph) {
-        for (const EventVariable& variable : events.variables)
-            variables_.push_back({variable.number, slots_.of(variable.node)});
-        if (events.time) time_ = slots_.of(*events.time);
-    }
-
-    /// Sets the values of parameters.
-    void set(const std::vector<SystemParameter>& parameters, const std::vector<double>& values) {
-        for (std::size_t k = 0; k < parameters.size(); ++k)
-            parameters_.push_back({slots_.of(parameters[k].node), values[k]});
-    }
-
-    [[nodiscard]] Tape tape(std::vector<Scaled> results) {
-        return Tape(kernel_of_inputs(slots_.graph(), std::move(results)), slots_);
-    }
-
-    /// Ends the making of tapes.
-    void close() {
-        numbers_ = slots_.numbers();
-        for (const auto& [slot, value] : parameters_) numbers_[slot] = value;
-    }
-
-    /// Runs a tape: its results are in their slots.
-    void run(const Tape& tape, const State& x, double t) {
-        const std::size_t n = x.q.size();
-        for (const auto& [number, slot] : variables_)
-            numbers_[slot] = number < n ? x.q[number] : x.p[number - n];
-        if (time_) numbers_[*time_] = t;
-        tape.run(numbers_.data());
-    }
-
-    [[nodiscard]] double result(const Tape& tape, std::size_t k = 0) const {
-        return numbers_[tape.results()[k]];
-    }
-
-    /// Returns a value that depends on parameters alone.
-    [[nodiscard]] double constant(const Tape& tape) {
-        tape.run(numbers_.data());
-        return result(tape);
-    }
-
-private:
-    Slots slots_;
-    std::vector<std::pair<std::size_t, Slot>> variables_;
-    std::vector<std::pair<Slot, double>> parameters_;
-    std::optional<Slot> time_;
-    std::vector<double> numbers_;
+/// An event as code on a row.
+struct CodeOfEvent {
+    EventCode zero;
+    std::optional<EventCode> slope, by_velocities, crossing, set, cooldown, period;
 };
 
-/// An event as tapes of a row.
-struct EventTapes {
-    Tape zero;
-    std::optional<Tape> slope, crossing, set, cooldown, period;
-};
-
-/// Returns a tape of derivatives at an event: by the time, by the variables, and along the motion.
-Tape tape_of_crossing(const LoweredEvent& event, const std::vector<Scaled>& motion, EventRow& row) {
-    std::vector<Scaled> values{event.by_time};
-    values.insert(values.end(), event.by_variables.begin(), event.by_variables.end());
-    values.insert(values.end(), motion.begin(), motion.end());
-    return row.tape(std::move(values));
+/// Returns the values of the motion, by the numbers of variables.
+std::vector<Scaled> values_of(const EventMotion& motion) {
+    std::vector<Scaled> values;
+    for (const auto& [number, value] : motion) values.push_back(value);
+    return values;
 }
 
-EventTapes tapes_of(const LoweredEvents& events, const LoweredEvent& event, EventRow& row) {
-    EventTapes tapes{row.tape({event.zero}), {}, {}, {}, {}, {}};
-    if (event.slope) tapes.slope = row.tape({*event.slope});
-    if (!events.motion.empty()) tapes.crossing = tape_of_crossing(event, events.motion, row);
-    if (event.cooldown) tapes.cooldown = row.tape({event.cooldown->value});
-    if (event.period) tapes.period = row.tape({event.period->value});
-    if (event.set.empty()) return tapes;
+/// Returns code for derivatives at an event: by the time, by the variables, and along the motion.
+EventCode code_of_crossing(const LoweredEvents& events, const LoweredEvent& event, EventRow& row) {
+    std::vector<Scaled> by_variables(2 * events.degrees, Graph::number(0));
+    for (const auto& [number, value] : event.by_variables) by_variables[number] = value;
+    std::vector<Scaled> values{event.by_time};
+    values.insert(values.end(), by_variables.begin(), by_variables.end());
+    const std::vector<Scaled> motion = values_of(events.motion);
+    values.insert(values.end(), motion.begin(), motion.end());
+    return row.code(std::move(values));
+}
+
+CodeOfEvent code_of(const LoweredEvents& events, const LoweredEvent& event, EventRow& row) {
+    CodeOfEvent code{row.code({event.zero}), {}, {}, {}, {}, {}, {}};
+    if (event.slope) code.slope = row.code({*event.slope});
+    if (!event.by_velocities.empty()) code.by_velocities = row.code(event.by_velocities);
+    if (event.slope && event.stop != 0 && events.moves_all())
+        code.crossing = code_of_crossing(events, event, row);
+    if (event.cooldown) code.cooldown = row.code({event.cooldown->value});
+    if (event.period) code.period = row.code({event.period->value});
+    if (event.set.empty()) return code;
     std::vector<Scaled> values;
     for (const LoweredJump& jump : event.set) values.push_back(jump.value);
-    tapes.set = row.tape(std::move(values));
-    return tapes;
+    code.set = row.code(std::move(values));
+    return code;
 }
 
 Direction direction_of(EventDirection direction) {
@@ -104,75 +64,84 @@ Direction direction_of(EventDirection direction) {
     return Direction::both;
 }
 
-void jump(State& x, const std::vector<LoweredJump>& set, const Tape& tape, const EventRow& row) {
+void jump(State& x, const std::vector<LoweredJump>& set, const EventCode& code,
+          const EventRow& row) {
     const std::size_t n = x.q.size();
     for (std::size_t k = 0; k < set.size(); ++k) {
         const std::size_t variable = set[k].variable;
-        (variable < n ? x.q[variable] : x.p[variable - n]) = row.result(tape, k);
+        (variable < n ? x.q[variable] : x.p[variable - n]) = row.result(code, k);
     }
 }
 
 /// NOTE: there are as many variables as derivatives along the motion.
-EventCrossing crossing_at(const Tape& tape, const EventRow& row) {
+EventCrossing crossing_at(const EventCode& code, const EventRow& row) {
     EventCrossing result;
-    result.by_time = row.result(tape);
-    const std::size_t count = (tape.results().size() - 1) / 2;
+    result.by_time = row.result(code);
+    const std::size_t count = (code.tape.results().size() - 1) / 2;
     for (std::size_t k = 0; k < count; ++k) {
-        result.by_state.push_back(row.result(tape, 1 + k));
-        result.motion.push_back(row.result(tape, 1 + count + k));
+        result.by_state.push_back(row.result(code, 1 + k));
+        result.motion.push_back(row.result(code, 1 + count + k));
     }
     return result;
 }
 
 /// Returns the value of a time span; 0 where none is given.
-double time_span(const std::optional<LoweredSpan>& written, const std::optional<Tape>& tape,
+double time_span(const std::optional<LoweredSpan>& written, const std::optional<EventCode>& code,
                  EventRow& row) {
     if (!written) return 0;
-    const double value = row.constant(*tape);
+    const double value = row.constant(*code);
     if (!(value >= 0)) throw InputError("this is negative, or no number", written->place);
     return value;
 }
 
+/// Runs code that may depend on derivatives by velocities, as slopes do.
+void run_slope(const CodeOfEvent& of, const EventCode& code, EventRow& row, const State& x,
+               double t) {
+    if (of.by_velocities) row.weigh(*of.by_velocities, x, t);
+    row.run(code, x, t);
+}
+
 /// NOTE: the functions keep the row alive, which all events of a run share.
-DrivenEvent driven(const LoweredEvent& event, EventTapes made,
+DrivenEvent driven(const LoweredEvent& event, CodeOfEvent made,
                    const std::shared_ptr<EventRow>& row) {
-    const auto tapes = std::make_shared<const EventTapes>(std::move(made));
-    const auto function = [row, tapes](const Tape& tape) {
-        return [row, tapes, &tape](const State& x, double t) {
-            row->run(tape, x, t);
-            return row->result(tape);
-        };
-    };
+    const auto code = std::make_shared<const CodeOfEvent>(std::move(made));
     DrivenEvent result;
     result.name = event.name;
     result.stop = event.stop;
     result.event.is_kink = event.is_kink;
-    result.event.zero = function(tapes->zero);
     result.event.direction = direction_of(event.direction);
-    if (tapes->slope) result.event.slope = function(*tapes->slope);
-    if (tapes->crossing)
-        result.crossing = [row, tapes](const State& x, double t) {
-            row->run(*tapes->crossing, x, t);
-            return crossing_at(*tapes->crossing, *row);
+    result.event.zero = [row, code](const State& x, double t) {
+        row->run(code->zero, x, t);
+        return row->result(code->zero);
+    };
+    if (code->slope)
+        result.event.slope = [row, code](const State& x, double t) {
+            run_slope(*code, *code->slope, *row, x, t);
+            return row->result(*code->slope);
         };
-    result.event.cooldown = time_span(event.cooldown, tapes->cooldown, *row);
-    result.event.period = time_span(event.period, tapes->period, *row);
-    if (tapes->set)
-        result.set = [row, tapes, set = event.set](State& x, double t) {
-            row->run(*tapes->set, x, t);
-            jump(x, set, *tapes->set, *row);
+    if (code->crossing)
+        result.crossing = [row, code](const State& x, double t) {
+            run_slope(*code, *code->crossing, *row, x, t);
+            return crossing_at(*code->crossing, *row);
+        };
+    result.event.cooldown = time_span(event.cooldown, code->cooldown, *row);
+    result.event.period = time_span(event.period, code->period, *row);
+    if (code->set)
+        result.set = [row, code, set = event.set](State& x, double t) {
+            row->run(*code->set, x, t);
+            jump(x, set, *code->set, *row);
         };
     return result;
 }
 
 /// Returns the events of a row whose parameters are set.
 std::vector<DrivenEvent> driven(const LoweredEvents& events, const std::shared_ptr<EventRow>& row) {
-    std::vector<EventTapes> tapes;
-    for (const LoweredEvent& event : events.events) tapes.push_back(tapes_of(events, event, *row));
+    std::vector<CodeOfEvent> code;
+    for (const LoweredEvent& event : events.events) code.push_back(code_of(events, event, *row));
     row->close();
     std::vector<DrivenEvent> result;
-    for (std::size_t k = 0; k < tapes.size(); ++k)
-        result.push_back(driven(events.events[k], std::move(tapes[k]), row));
+    for (std::size_t k = 0; k < code.size(); ++k)
+        result.push_back(driven(events.events[k], std::move(code[k]), row));
     return result;
 }
 
@@ -192,13 +161,13 @@ FindMotion driven_motion(const System& system, const WrittenOutScene& scene) {
     const LoweredEvents lowered = lowered_events(of_modules.system, scene);
     const auto row = std::make_shared<EventRow>(lowered);
     row->set(of_modules.system.parameters, of_modules.numbers);
-    const auto tape = std::make_shared<const Tape>(row->tape(lowered.motion));
+    const auto code = std::make_shared<const EventCode>(row->code(values_of(lowered.motion)));
     row->close();
-    return [row, tape](const State& x) {
-        row->run(*tape, x, 0);
+    return [row, code](const State& x) {
+        row->run(*code, x, 0);
         std::vector<double> result;
-        for (std::size_t k = 0; k < tape->results().size(); ++k)
-            result.push_back(row->result(*tape, k));
+        for (std::size_t k = 0; k < code->tape.results().size(); ++k)
+            result.push_back(row->result(*code, k));
         return result;
     };
 }

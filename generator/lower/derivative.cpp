@@ -57,7 +57,12 @@ public:
           known_(known),
           shares_(f.node + 1),
           is_active_(f.node + 1) {
-        for (Node node = 0; node <= f.node; ++node) { is_active_[node] = depends(node, inputs); }
+        for (const Node input : inputs) {
+            if (input <= f.node) { is_active_[input] = true; }
+        }
+        for (Node node = 0; node <= f.node; ++node) {
+            is_active_[node] = is_active_[node] || depends(node);
+        }
         give(f.node, {f.factor, graph.number(1).node});
         for (Node node = f.node + 1; node-- > 0;) {
             if (!shares_[node].empty()) { hand_down(node, total(node)); }
@@ -76,9 +81,8 @@ private:
         return node < shares_.size() ? graph_.sum(shares_[node]) : graph_.number(0);
     }
 
-    [[nodiscard]] bool depends(Node node, const std::vector<Node>& inputs) const {
+    [[nodiscard]] bool depends(Node node) const {
         const Computation& computation = graph_.at(node);
-        if (std::find(inputs.begin(), inputs.end(), node) != inputs.end()) { return true; }
         const auto& [terms, arguments] = std::tie(computation.terms, computation.arguments);
         return std::any_of(terms.begin(), terms.end(),
                            [&](const Scaled& term) { return is_active_[term.node]; }) ||

@@ -5,11 +5,14 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <set>
 #include <utility>
 
+#include "generator/graph/replaced.hpp"
 #include "generator/lower/declarations.hpp"
+#include "generator/lower/derivative.hpp"
 #include "generator/lower/event_slope.hpp"
 #include "generator/lower/lower.hpp"
 #include "generator/read/column_file.hpp"
@@ -82,10 +85,11 @@ public:
     }
 
     [[nodiscard]] LoweredEvents operator()() && {
+        const std::optional<Scaled> H = hamiltonian();
         for (const IndexedEvent& event : scene_.events) {
             result_.events.push_back(lowered(event));
         }
-        add_slopes();
+        if (H) { add_slopes(*H); }
         leave_out_other_variables();
         return std::move(result_);
     }
@@ -100,8 +104,8 @@ private:
                 first += numbers.count();
             }
             if (families == &declared_.coordinates) {
-                degrees_ = first;
                 if (scene_.scale) { time_ = first++; }
+                result_.degrees = first;
             }
         }
     }
@@ -121,9 +125,15 @@ private:
             if (part.kind == Expression::Kind::symbol) { know(part, meant.source); }
             return true;
         });
-        const Scaled result = lower(result_.graph, expression, symbols_, meant.source);
+        return lower(result_.graph, expression, symbols_, meant.source);
+    }
+
+    /// Returns a value of an event. Of an L its velocities are p/m, where masses are known.
+    [[nodiscard]] Scaled value_of_event(const IndexedExpression& written, const SceneRules& rules) {
+        const Scaled result = value(written, rules);
+        if (!velocities_.empty()) { return replaced(result_.graph, result, velocities_); }
         if (scene_.side == Side::lagrangian) {
-            check_event_of_L(result_.graph, result, whole(meant.source));
+            check_event_of_L(result_.graph, result, whole(written.source));
         }
         return result;
     }
@@ -200,7 +210,7 @@ private:
         LoweredEvent result{.name = event.name,
                             .direction = event.direction,
                             .stop = event.stop,
-                            .zero = value(event.zero, event_rules)};
+                            .zero = value_of_event(event.zero, event_rules)};
         if (event.set && scene_.scale) {
             throw InputError("events that jump are not built where sums stay loops and time is "
                              "scaled",
@@ -215,27 +225,74 @@ private:
     // ---- slopes ----
 
     /// Returns H with its sums written out; empty where it is not differentiated here. NOTE: only
-    /// the number of words can be wrong in an H that has steps.
+    /// the number of words can be wrong in a function that has steps.
     [[nodiscard]] std::optional<Scaled> hamiltonian() {
         const bool is_plain =
-            scene_.side == Side::hamiltonian && !scene_.scale && scene_.own.headers.empty();
+            !scene_.scale && scene_.own.headers.empty() && scene_.rotations.texts.empty();
         if (!is_plain) { return {}; }
         try {
-            return value(scene_.function, hamiltonian_rules);
+            const Scaled function = value(scene_.function, rules_of_function(scene_.side));
+            return scene_.side == Side::hamiltonian ? function : hamiltonian_of_L(function);
         } catch (const InputError&) { return {}; }
     }
 
-    void add_slopes() {
-        const std::optional<Scaled> H = hamiltonian();
-        if (!H) { return; }
-        for (LoweredEvent& event : result_.events) {
-            event.slope = slope_along(result_, event.zero, *H, degrees_);
+    /// Returns H of an L, and replaces velocities by momenta. NOTE: an L that has steps is a sum of
+    /// m v^2/2 over all velocities, and of what depends on coordinates alone.
+    [[nodiscard]] Scaled hamiltonian_of_L(const Scaled& L) {
+        Graph& graph = result_.graph;
+        std::vector<Node> velocities;
+        std::vector<EventVariable> momenta;
+        for (EventVariable& each : result_.variables) {
+            if (each.number < result_.degrees) { continue; }
+            velocities.push_back(each.node);
+            each.node =
+                graph.input("momentum of " + graph.at(each.node).name, Role::conjugate).node;
+            momenta.push_back(each);
         }
+        const std::vector<Scaled> slopes = gradient(graph, L, velocities);
+        std::map<Node, Scaled> at_rest;
+        std::vector<Scaled> terms;
+        for (std::size_t k = 0; k < velocities.size(); ++k) {
+            const Scaled mass = replaced(graph, slopes[k], {{velocities[k], Graph::number(1)}}),
+                         p{{1, 1}, momenta[k].node}, v = graph.product(p, graph.inverse(mass));
+            at_rest[velocities[k]] = Graph::number(0);
+            velocities_[velocities[k]] = v;
+            terms.push_back(graph.times({1, 2}, graph.product(p, v)));
+        }
+        terms.push_back(graph.times({-1, 1}, replaced(graph, L, at_rest)));
+        return graph.sum(std::move(terms));
     }
 
-    /// Leaves out the variables of H that events do not depend on.
+    /// Returns the variables whose motion is looked for: those of events. All, where there may be
+    /// derivatives of the state of an event that ends the run.
+    [[nodiscard]] std::vector<std::size_t> moving() const {
+        const auto& events = result_.events;
+        const bool may_end = std::any_of(events.begin(), events.end(),
+                                         [](const LoweredEvent& each) { return each.stop != 0; });
+        std::vector<std::size_t> numbers;
+        if (may_end && result_.degrees <= most_degrees_of_freedom) {
+            numbers.resize(2 * result_.degrees);
+            std::iota(numbers.begin(), numbers.end(), std::size_t{0});
+            return numbers;
+        }
+        std::vector<Scaled> zeros;
+        for (const LoweredEvent& event : events) { zeros.push_back(event.zero); }
+        const std::vector<bool> is_part = nodes_of(result_.graph, zeros);
+        for (const EventVariable& each : result_.variables) {
+            if (is_part[each.node]) { numbers.push_back(each.number); }
+        }
+        return numbers;
+    }
+
+    void add_slopes(const Scaled& H) {
+        result_.motion = motion_under(result_, H, moving());
+        for (LoweredEvent& event : result_.events) { differentiate(result_, event); }
+    }
+
+    /// Leaves out the variables of H that nothing depends on.
     void leave_out_other_variables() {
         std::vector<Scaled> values;
+        for (const auto& [number, value] : result_.motion) { values.push_back(value); }
         for (const LoweredEvent& event : result_.events) {
             values.push_back(event.zero);
             if (event.slope) { values.push_back(*event.slope); }
@@ -304,8 +361,8 @@ private:
     Symbols symbols_;
     /// Number of the first element of each family of variables, and the numbers of the others.
     std::map<std::string, std::pair<std::size_t, ElementNumbers>> variables_;
-    std::size_t degrees_ = 0;          ///< coordinates, without the time
-    std::optional<std::size_t> time_;  ///< its number among the coordinates, where it is one
+    std::optional<std::size_t> time_;    ///< its number among the coordinates, where it is one
+    std::map<Node, Scaled> velocities_;  ///< of an L, as functions of momenta
     std::map<std::string, std::vector<Expression>> in_files_;
 };
 

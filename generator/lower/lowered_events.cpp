@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "generator/lower/derivative.hpp"
+#include "generator/lower/event_slope.hpp"
 #include "generator/lower/lower.hpp"
 #include "generator/read/names.hpp"
 
@@ -37,11 +37,11 @@ private:
     void name_variables() {
         names_ = variables(scene_);
         std::vector<Node> nodes = coordinate_nodes(system_);
+        result_.degrees = nodes.size();
         const std::vector<Node> conjugates = conjugate_nodes(system_);
         nodes.insert(nodes.end(), conjugates.begin(), conjugates.end());
         for (std::size_t k = 0; k < names_.size(); ++k) {
             symbols_[names_[k]] = {{1, 1}, nodes.at(k)};
-            nodes_.push_back(nodes.at(k));
             result_.variables.push_back({k, nodes.at(k)});
         }
     }
@@ -62,7 +62,7 @@ private:
         name_time(written.expression);
         const Scaled result =
             lower(result_.graph, written.expression, symbols_, written.place.source);
-        if (system_.side == Side::lagrangian) {
+        if (system_.side == Side::lagrangian && !result_.velocities) {
             check_event_of_L(result_.graph, result, written.place);
         }
         return result;
@@ -79,7 +79,7 @@ private:
                             .stop = event.stop,
                             .is_kink = event.is_kink,
                             .zero = value(event.zero)};
-        differentiate(result);
+        if (!result_.motion.empty()) { differentiate(result_, result); }
         if (system_.side == Side::lagrangian && !event.set.empty()) {
             refuse_set_of_L(event.set.front().place);
         }
@@ -106,32 +106,33 @@ private:
     /// Finds the derivatives along the motion. NOTE: functions of the user's own have no
     /// derivatives here, and rotations have no numbers that H is differentiated by.
     void find_motion() {
-        const bool is_plain = system_.side == Side::hamiltonian && rotations_of(system_) == 0 &&
-                              system_.own_headers.empty();
-        if (!is_plain) { return; }
-        result_.motion = by_conjugates(system_);
-        for (const Scaled& slope : by_coordinates(system_)) {
-            result_.motion.push_back(result_.graph.times({-1, 1}, slope));
+        if (rotations_of(system_) != 0 || !system_.own_headers.empty()) { return; }
+        const bool is_of_L = system_.side == Side::lagrangian;
+        if (is_of_L) { find_velocities(); }
+        const std::vector<Scaled> by_q = by_coordinates(system_), by_p = by_conjugates(system_);
+        for (std::size_t k = 0; k < by_q.size(); ++k) {
+            result_.motion[k] =
+                is_of_L ? Scaled{{1, 1}, result_.velocities->velocities[k]} : by_p[k];
+            result_.motion[result_.degrees + k] =
+                is_of_L ? by_q[k] : result_.graph.times({-1, 1}, by_q[k]);
         }
     }
 
-    /// Adds the derivatives of `zero`: along the motion {g, H} + dg/dt.
-    void differentiate(LoweredEvent& event) {
-        if (result_.motion.empty()) { return; }
+    /// Makes velocities what the momenta of a state are solved for.
+    void find_velocities() {
         Graph& graph = result_.graph;
-        std::vector<Node> inputs = nodes_;
-        if (result_.time) { inputs.push_back(*result_.time); }
-        event.by_variables = gradient(graph, event.zero, inputs);
-        if (result_.time) {
-            event.by_time = event.by_variables.back();
-            event.by_variables.pop_back();
+        LoweredVelocities& solved = result_.velocities.emplace();
+        solved.velocities = conjugate_nodes(system_);
+        solved.momenta = by_conjugates(system_);
+        for (const std::vector<Scaled>& row : hessian_of(system_).conjugates) {
+            solved.mass.insert(solved.mass.end(), row.begin(), row.end());
         }
-        std::vector<Scaled> terms;
-        for (std::size_t k = 0; k < nodes_.size(); ++k) {
-            terms.push_back(graph.product(event.by_variables[k], result_.motion[k]));
+        for (const Node velocity : solved.velocities) {
+            const std::string name = "weight of " + graph.at(velocity).name;
+            solved.weights.push_back(graph.input(name, Role::direction).node);
         }
-        terms.push_back(event.by_time);
-        event.slope = graph.sum(std::move(terms));
+        std::erase_if(result_.variables,
+                      [&](const EventVariable& each) { return each.number >= result_.degrees; });
     }
 
     const System& system_;
@@ -139,14 +140,13 @@ private:
     LoweredEvents result_;
     Symbols symbols_;
     std::vector<std::string> names_;  ///< of variables
-    std::vector<Node> nodes_;         ///< of these
 };
 
 }  // namespace
 
 void check_event_of_L(const Graph& graph, const Scaled& value, const Place& place) {
     if (!has(graph.at(value.node).roles, Role::conjugate)) { return; }
-    throw InputError("events of a Lagrangian are functions of its coordinates and the time", place,
+    throw InputError("here events of a Lagrangian are functions of coordinates and the time", place,
                      "with momenta it is one of the Hamiltonian, which `hvi-gen scheme` prints");
 }
 

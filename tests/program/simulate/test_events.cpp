@@ -345,6 +345,40 @@ TEST_CASE("two events in one step are found where sums stay loops, up to a size"
     CHECK(large.events.size() == 1);
 }
 
+// q = sin(t) by its Lagrangian; a turning point is where v = cos(t) is zero.
+TEST_CASE("events of a Lagrangian, of its velocities, and two in one step") {
+    const std::string run = "run = {method = \"gauss:8\", step = \"1/10\", until = 4}\n";
+    const std::string one = "lagrangian = \"2*v^2 - 2*q^2 + 3*q*v\"\ncoordinates = [\"q\"]\n"
+                            "velocities = [\"v\"]\ninitial = {q = 0, v = 1}\n" +
+                            run +
+                            "[events.high]\nzero = \"q - 99995/100000\"\n"
+                            "[events.slow]\nzero = \"v + 99995/100000\"\n"
+                            "[events.turn]\nzero = \"v\"\n";
+    const std::string many = "lagrangian = \"sum(i=1..N, i*v[i]^2/2 - i*q[i]^2/2)\"\n"
+                             "coordinates = [\"q[1..N]\"]\nvelocities = [\"v[1..N]\"]\n"
+                             "parameters = {N = 300}\ninitial = {\"q[i]\" = 0, \"v[i]\" = 1}\n" +
+                             run +
+                             "[events.high]\nzero = \"q[7] - 99995/100000\"\n"
+                             "[events.slow]\nzero = \"v[8] + 99995/100000\"\n"
+                             "[events.turn]\nzero = \"v[9]\"\n";
+    const double width = std::acos(0.99995);
+    for (const std::string& scene : {one, many}) {
+        const SceneRun found = run_scene(scene);
+        INFO(found.outcome.err);
+        REQUIRE(found.outcome.status == 0);
+        REQUIRE(found.events.size() == 6);
+        const auto check = [&](std::size_t k, const std::string& name, double t) {
+            CHECK(found.events[k + 1].rfind(name, 0) == 0);
+            CHECK(std::abs(found.event(k)[0] - t) < 1e-10);
+        };
+        check(0, "high,1,", pi / 2 - width);
+        check(1, "turn,1,", pi / 2);
+        check(2, "high,2,", pi / 2 + width);
+        check(3, "slow,1,", pi - width);
+        check(4, "slow,2,", pi + width);
+    }
+}
+
 TEST_CASE("events of lists in files, where sums stay loops") {
     use_cache();
     const Directory directory;
@@ -397,14 +431,15 @@ TEST_CASE("events that loops do not have are refused with their place") {
     refused(wall + "cooldown = -1\n", "this is negative");
     refused(wall + "period = \"q[1]\"\n", "a period cannot depend on the variable");
     refused(wall + "set = {\"p[i]\" = \"-p[i]\"}\n", "events that jump", "--lyapunov");
+    // An L of more than 100 000 words.
     const SceneRun found = run_scene("lagrangian = \"sum(i=1..N, v[i]^2/2 - q[i]^2/2)\"\n"
                                      "coordinates = [\"q[1..N]\"]\nvelocities = [\"v[1..N]\"]\n"
-                                     "parameters = {N = 400}\n"
+                                     "parameters = {N = 20000}\n"
                                      "initial = {\"q[i]\" = 1, \"v[i]\" = 0}\n"
                                      "run = {method = \"gauss:2\", step = \"1/20\", until = 1}\n"
                                      "[events.rest]\nzero = \"v[3]\"\n");
     CHECK(found.outcome.status == 2);
-    CHECK(found.outcome.err.find("events of a Lagrangian are functions of its coordinates") !=
+    CHECK(found.outcome.err.find("here events of a Lagrangian are functions of coordinates and") !=
           std::string::npos);
 }
 
