@@ -17,7 +17,7 @@ namespace {
 constexpr const char* help_on_gnuplot =
     "install gnuplot (of Debian gnuplot-nox is enough), or leave the pictures out with --only";
 
-/// As one argument, in which only semicolons end a command.
+/// Writes a script as one argument, in which only semicolons end a command.
 std::string on_one_line(const std::string& script) {
     std::string line;
     for (const char c : script) line += c == '\n' ? std::string("; ") : std::string(1, c);

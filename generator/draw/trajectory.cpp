@@ -233,7 +233,7 @@ Beside beside(const TrajectoryPicture& picture, const TableCurves& view) {
             has_below ? tall_picture_height : picture_height};
 }
 
-/// Of a panel with an image.
+/// Axes of a panel with an image.
 std::string image_axes(const std::string& x, const std::string& y) {
     return fmt::format("set autoscale fix\nset format y '%g'\nset ytics autofreq\nset xlabel {} "
                        "offset 0,0.6\nset ylabel {}\nset key off\n",
