@@ -62,6 +62,13 @@ std::string gnuplot_svg(const std::string& script, int width, int height,
     return std::move(drawn.output);
 }
 
+std::string gnuplot_array(const std::string& name, const std::vector<double>& numbers) {
+    std::string list;
+    for (const double number : numbers)
+        list += fmt::format("{}{:.6g}", list.empty() ? "" : ",", number);
+    return fmt::format("array {}[{}] = [{}]\n", name, numbers.size(), list);
+}
+
 std::string gnuplot_quoted(const std::string& text) {
     std::string quoted = "'";
     for (const char c : text) quoted += c == '\'' ? std::string("''") : std::string(1, c);
