@@ -1,5 +1,5 @@
-// What directions cost that steps carry along: a table of the time of n of them with their step, in
-// steps without any.
+// The cost of directions that steps carry along: a table of the time of n of them with their step,
+// in steps without any.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <algorithm>
 #include <array>

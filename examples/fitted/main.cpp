@@ -53,7 +53,7 @@ State integrate(Stepper stepper, double h, int steps) {
     return x;
 }
 
-/// Of all variables, those of the spring as its amplitude.
+/// The distance over all variables; those of the spring count as its amplitude.
 double distance(const State& x, const State& y) {
     const double slow = std::hypot(x.q[0] - y.q[0], x.p[0] - y.p[0]);
     return std::hypot(slow, omega * (x.q[1] - y.q[1]), x.p[1] - y.p[1]);

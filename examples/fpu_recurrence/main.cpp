@@ -113,7 +113,7 @@ bool run(const Wishes& wishes, std::FILE* table, Recurrence& recurrence) {
     return true;
 }
 
-/// Of the words; nothing where they are not as they should be.
+/// Wishes that the words say; nothing where they are not as they should be.
 std::optional<Wishes> wishes_of(const std::vector<const char*>& words) {
     const auto whole = [&](std::size_t i, int usual) {
         return words.size() > i ? std::atoi(words[i]) : usual;

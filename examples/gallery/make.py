@@ -3,15 +3,21 @@
     python3 make.py DIRECTORY [NAME...]
     python3 make.py DIRECTORY --compare PAGES [NAME...]
 
-An example is a file beside this one: its docstring is a title and what is to be seen, its code draws
-with matplotlib.pyplot. Pages are Markdown; `index.md` shows them all, and is written where no NAME
-chooses some. With --compare the status is 1, too, where a page differs from the one in PAGES.
+An example is a file beside this one, of Python or a shell script. It begins with a title and what is
+to be seen: in its docstring, or in comments. Python draws one picture with matplotlib.pyplot; a script
+writes the pictures that its text shows. Each runs in an empty directory. Pages are Markdown; `index.md`
+shows them all, and is written where no NAME chooses some. With --compare the status is 1, too, where a
+page differs from the one in PAGES.
 """
 import argparse
 import ast
-import os
+import contextlib
+import re
 import runpy
+import shutil
+import subprocess
 import sys
+import tempfile
 import traceback
 from pathlib import Path
 
@@ -22,20 +28,34 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 
 here = Path(__file__).resolve().parent
-sources = sorted(each for each in here.glob("*.py") if each.name != Path(__file__).name)
+sources = sorted(each for each in here.iterdir()
+                 if each.suffix in (".py", ".sh") and each.name != Path(__file__).name)
 
 
 def parts(source):
-    """Returns the title of an example, what is to be seen, and its code."""
-    text = source.read_text(encoding="utf-8")
-    tree = ast.parse(text)
-    title, _, seen = ast.get_docstring(tree).partition("\n\n")
-    return title, seen, "\n".join(text.splitlines()[tree.body[0].end_lineno:]).strip()
+    """Returns the title of an example, what is to be seen with its pictures, and its code."""
+    lines = source.read_text(encoding="utf-8").splitlines()
+    if source.suffix == ".py":
+        tree = ast.parse("\n".join(lines))
+        end, text = tree.body[0].end_lineno, ast.get_docstring(tree)
+    else:
+        end = next(k for k, line in enumerate(lines) if not line.startswith("#"))
+        text = "\n".join(line[2:] for line in lines[:end] if "SPDX" not in line).strip()
+    title, _, seen = text.partition("\n\n")
+    if source.suffix == ".py":
+        seen += f"\n\n![{title}]({source.stem}.png)"
+    return title, seen, "\n".join(lines[end:]).strip()
+
+
+def pictures(source):
+    """Returns the names of the pictures of an example."""
+    return re.findall(r"!\[[^]]*\]\(([^)]+)\)", parts(source)[1])
 
 
 def page(source):
     title, seen, code = parts(source)
-    return f"# {title}\n\n{seen}\n\n![{title}]({source.stem}.png)\n\n```python\n{code}\n```\n"
+    language = "python" if source.suffix == ".py" else "sh"
+    return f"# {title}\n\n{seen}\n\n```{language}\n{code}\n```\n"
 
 
 def index():
@@ -43,24 +63,35 @@ def index():
     cells = []
     for source in sources:
         title = parts(source)[0]
-        cells.append(f"[![{title}]({source.stem}.png)<br>{title}]({source.stem}.md)")
+        cells.append(f"[![{title}]({pictures(source)[0]})<br>{title}]({source.stem}.md)")
     cells += [""] * (-len(cells) % 3)
     rows = ["| " + " | ".join(cells[k:k + 3]) + " |" for k in range(0, len(cells), 3)]
     names = "\n".join(source.stem for source in sources)
     return ("# Gallery\n\nThese examples are complete: each runs as it stands, with the package `hvi` of "
-            "[Python](../python.md).\nTheir files are in `examples/gallery`.\n\n"
+            "[Python](../python.md)\nor in a shell. Their files are in `examples/gallery`.\n\n"
             "| | | |\n| :---: | :---: | :---: |\n" + "\n".join(rows) +
             f"\n\n```{{toctree}}\n:hidden:\n\n{names}\n```\n")
 
 
-def draw(source, output):
-    """Runs an example in the directory, and saves what it draws under its name."""
+def draw_in_python(source):
+    """Runs an example, and saves what it draws."""
     plt.close("all")
     plt.rcParams.update({"figure.figsize": (6, 4.5), "figure.autolayout": True, "savefig.dpi": 80})
     runpy.run_path(str(source), run_name="__main__")
     if not plt.gcf().axes:
         raise ValueError("the example draws nothing")
-    plt.savefig(output / f"{source.stem}.png", metadata={"Software": None})
+    plt.savefig(pictures(source)[0], metadata={"Software": None})
+
+
+def draw(source, output):
+    """Runs an example in an empty directory, and takes its pictures out of it."""
+    with tempfile.TemporaryDirectory() as directory, contextlib.chdir(directory):
+        if source.suffix == ".py":
+            draw_in_python(source)
+        else:
+            subprocess.run(["sh", "-eu", source], check=True)
+        for name in pictures(source):
+            shutil.copy(name, output)
 
 
 def write(path, text, pages):
@@ -83,7 +114,6 @@ def main():
             parser.error(f"there is no example {name}")
     output, pages = words.directory.resolve(), words.compare and words.compare.resolve()
     output.mkdir(parents=True, exist_ok=True)
-    os.chdir(output)
     chosen = [source for source in sources if not words.names or source.stem in words.names]
     good = bool(words.names) or write(output / "index.md", index(), pages)
     for source in chosen:

@@ -51,7 +51,7 @@ private:
 
 inline const Spline spline;
 
-// What hvi calls: templates of one type of numbers, V and its first and second derivative.
+// Functions that hvi calls, templates of one type of numbers: V and its first two derivatives.
 
 template <class X>
 X V(const X& r) {

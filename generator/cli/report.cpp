@@ -153,7 +153,8 @@ std::string joined(const std::vector<std::string>& words) {
     return fmt::format("{}", fmt::join(words, " "));
 }
 
-/// What is not installed is left out, and the report says so.
+/// Finds the libraries that are installed. The report notes which these are, and which are left
+/// out.
 void find_peers(Builds& builds, StudyWishes& wishes, Report& report) {
     for (const PeerLibrary& library : peer_libraries()) {
         const auto version = installed_version(builds, library);
@@ -195,8 +196,8 @@ void note_events(Report& report, const Scene& scene) {
         report.notes.push_back(fmt::format("steps of {} end at kinks of its H", scene.name));
 }
 
-/// What is said of each method beside what was measured. NOTE: curves of methods come first, in
-/// their order.
+/// Sets the verdicts on each method beside what was measured. NOTE: curves of methods come first,
+/// in the order of the methods.
 void set_kept(SceneReport& of_scene, const Watched& watched,
               const std::vector<StudiedMethod>& methods) {
     const std::vector<std::string>& names = watched.names;

@@ -55,7 +55,7 @@ std::optional<fs::path> directory(const RunSubject& subject, const RunOptions& o
     return {};
 }
 
-/// What is written of the run, and how it is taken.
+/// Wishes for a run: its tables and events, and how it is taken.
 TrajectoryWishes trajectory(const WishedRun& wished, const RunOptions& options,
                             const RunTables& tables, const fs::path& table_of_events,
                             std::vector<ColumnBox> analysed) {

@@ -77,7 +77,7 @@ TableWishes table_of(const Bodies& bodies, const Steps& steps, std::int64_t ever
 
 // ---- the view ----
 
-/// Those of the names that are columns, at most 64. The first column of the table is the time.
+/// Columns with these names, at most 64. The first column of the table is the time.
 std::vector<TableColumn> shown(const std::vector<NameBox>& names,
                                const std::vector<ColumnBox>& columns) {
     constexpr std::size_t most = 64;

@@ -1,4 +1,4 @@
-// What the picture of a run shows, and which numbers of the run that takes.
+// The picture of a run: what it shows, and which numbers of the run that takes.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -39,14 +39,14 @@ struct PictureTable {
 [[nodiscard]] std::optional<PictureTable> picture_table(const std::vector<NameBox>& coordinates,
                                                         const Steps& steps, std::int64_t every);
 
-/// What a run writes.
+/// Tables that a run writes.
 struct RunTables {
     TableWishes own;
     std::optional<PictureTable> of_picture;
     std::optional<TableWishes> plain = {};  ///< as `own` has it, where that is no CSV
 };
 
-/// Without a table of its own it shows what the table of the run has.
+/// The picture of a run. Without a table of its own it shows what the table of the run has.
 [[nodiscard]] TrajectoryPicture picture(const RunSubject& subject, const Steps& asked,
                                         const Simulation& run, const RunTables& tables);
 

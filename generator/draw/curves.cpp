@@ -45,16 +45,14 @@ const Style& style(const CurvesPicture::Curve& curve, std::size_t k) {
     return curve.is_aside ? styles_aside.at(k % styles_aside.size()) : styles.at(k % styles.size());
 }
 
-/// NOTE: gnuplot reads data of its own script only from its standard input or as blocks, which need
-/// line ends; so each curve is two arrays.
+/// The two arrays of a curve.
 std::string arrays(const std::string& name, const std::vector<std::pair<double, double>>& points) {
-    std::string xs, ys;
+    std::vector<double> xs, ys;
     for (const auto& [x, y] : points) {
-        xs += fmt::format("{}{:.6g}", xs.empty() ? "" : ",", x);
-        ys += fmt::format("{}{:.6g}", ys.empty() ? "" : ",", y);
+        xs.push_back(x);
+        ys.push_back(y);
     }
-    return fmt::format("array x{0}[{1}] = [{2}]\narray y{0}[{1}] = [{3}]\n", name, points.size(),
-                       xs, ys);
+    return gnuplot_array("x" + name, xs) + gnuplot_array("y" + name, ys);
 }
 
 std::string values_of(const std::string& name) {

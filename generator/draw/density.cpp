@@ -118,6 +118,27 @@ std::size_t rows_with_turns(const std::vector<double>& values, double least, std
     return values.size();
 }
 
+Band band(const std::vector<double>& x, const std::vector<double>& values, std::size_t parts) {
+    Band result;
+    for (std::size_t k = 0; k < parts; ++k) {
+        const std::size_t begin = k * values.size() / parts, end = (k + 1) * values.size() / parts;
+        Extent all;
+        double sum = 0, count = 0;
+        for (std::size_t i = begin; i < end; ++i) {
+            if (!std::isfinite(values[i])) continue;
+            all.add({values[i]});
+            sum += values[i];
+            ++count;
+        }
+        if (count == 0) continue;
+        result.x.push_back((x[begin] + x[end - 1]) / 2);
+        result.least.push_back(all.least);
+        result.most.push_back(all.most);
+        result.mean.push_back(sum / count);
+    }
+    return result;
+}
+
 double extent(const std::vector<std::vector<double>>& columns) {
     Extent all;
     for (const std::vector<double>& column : columns) all.add(column);

@@ -19,6 +19,17 @@ read_columns(const std::filesystem::path& table, const std::vector<std::size_t>&
 [[nodiscard]] std::size_t rows_with_turns(const std::vector<double>& values, double least,
                                           std::size_t most);
 
+/// The range and the mean of a curve in each of some parts of it.
+struct Band {
+    std::vector<double> x, least, most, mean;  ///< `x`: the middle of the part
+};
+
+/// The band of values over x in so many parts, whose numbers of rows differ by at most one. Values
+/// that are not finite do not count, and a part without others is left out. Precondition: there are
+/// as many rows as parts.
+[[nodiscard]] Band band(const std::vector<double>& x, const std::vector<double>& values,
+                        std::size_t parts);
+
 /// The distance between the least and the largest finite value of all columns; 0 where there is
 /// none.
 [[nodiscard]] double extent(const std::vector<std::vector<double>>& columns);

@@ -17,7 +17,7 @@ namespace {
 constexpr const char* help_on_gnuplot =
     "install gnuplot (of Debian gnuplot-nox is enough), or leave the pictures out with --only";
 
-/// As one argument, in which only semicolons end a command.
+/// Writes a script as one argument, in which only semicolons end a command.
 std::string on_one_line(const std::string& script) {
     std::string line;
     for (const char c : script) line += c == '\n' ? std::string("; ") : std::string(1, c);
@@ -60,6 +60,13 @@ std::string gnuplot_svg(const std::string& script, int width, int height,
                                    (drawn.errors.empty() ? "" : ": " + drawn.errors),
                                help_on_gnuplot);
     return std::move(drawn.output);
+}
+
+std::string gnuplot_array(const std::string& name, const std::vector<double>& numbers) {
+    std::string list;
+    for (const double number : numbers)
+        list += fmt::format("{}{:.6g}", list.empty() ? "" : ",", number);
+    return fmt::format("array {}[{}] = [{}]\n", name, numbers.size(), list);
 }
 
 std::string gnuplot_quoted(const std::string& text) {

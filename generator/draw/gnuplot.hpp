@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace hvi::gen {
 
@@ -13,6 +14,12 @@ namespace hvi::gen {
 /// Interruption.
 [[nodiscard]] std::string gnuplot_svg(const std::string& script, int width, int height,
                                       const std::filesystem::path& directory);
+
+/// A command that makes an array of numbers, of which `plot NAME using (NAME[$1]):...` reads the
+/// k-th. NOTE: gnuplot reads data of its own script only from its standard input or as blocks,
+/// which need line ends.
+[[nodiscard]] std::string gnuplot_array(const std::string& name,
+                                        const std::vector<double>& numbers);
 
 /// A text in single quotes, as scripts have it, in which nothing but a quote means something else.
 [[nodiscard]] std::string gnuplot_quoted(const std::string& text);

@@ -21,8 +21,8 @@ struct SectionPicture {
     TableColumn x, y;
 };
 
-/// As SVG: events of one name have one colour. Throws as gnuplot_svg() does. Precondition: the
-/// table has a row.
+/// Draws SVG, in which events of one name have one colour. Throws as gnuplot_svg() does.
+/// Precondition: the table has a row.
 [[nodiscard]] std::string draw(const SectionPicture& picture);
 
 }  // namespace hvi::gen

@@ -5,10 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "generator/draw/density.hpp"
+#include "generator/draw/departures.hpp"
 #include "generator/draw/gnuplot.hpp"
+#include "generator/draw/lines.hpp"
 #include "generator/support/ticks.hpp"
 
 namespace hvi::gen {
@@ -18,72 +19,15 @@ namespace {
 constexpr int picture_width = 1000, picture_height = 560, tall_picture_height = 680;
 constexpr double top = 0.95;            // of the panels, below the title of all
 constexpr std::size_t most_turns = 40;  // of a curve over time, some 400 pixels wide
-constexpr double least_swing = 0.05;    // that is seen to be one, of the height of a panel
 
-// Told apart by colour and, in print, by the length of their dashes.
-constexpr const char* line_styles = R"(
-set datafile separator comma
-set datafile commentschars '#'
-set style line 1 linecolor rgb '#00508c' linewidth 1.2
-set style line 2 linecolor rgb '#c83200' linewidth 1.2 dashtype '-'
-set style line 3 linecolor rgb '#3c7828' linewidth 1.2 dashtype '.-'
-set style line 4 linecolor rgb '#784696' linewidth 1.2 dashtype '.'
-set style line 5 linecolor rgb '#646464' linewidth 1.2 dashtype '..-'
-set grid linecolor rgb '#d8d8d8'
-set border linecolor rgb '#505050'
-)";
 // From dark to light, for all eyes: five colours of matplotlib's viridis.
 constexpr const char* palette = R"(
 set palette defined (0 '#440154', 1 '#3b528b', 2 '#21918c', 3 '#5ec962', 4 '#fde725')
 set format cb '%g'
 )";
-constexpr std::size_t style_count = 5;
-constexpr std::size_t time_column = 1;
-
-/// A column over another, less a constant, in units of `unit`.
-struct Line {
-    std::size_t x, y;
-    double less = 0;
-    std::string name;
-    double unit = 1;
-};
-
-/// The first rows of a table, and the time of the last of these.
-struct FirstRows {
-    std::size_t count = 0;
-    double until = 0;
-    bool are_all = true;
-};
-
-/// Precondition: the columns are those of a table, the first one the time.
-FirstRows first_rows(const std::vector<double>& times, std::size_t count) {
-    if (count >= times.size()) return {times.size(), times.empty() ? 0 : times.back(), true};
-    return {count, times[count - 1], false};
-}
 
 std::string with_end(const std::string& title, const FirstRows& rows) {
     return rows.are_all ? title : fmt::format("{}, until t = {:.4g}", title, rows.until);
-}
-
-std::string quoted_name(const std::filesystem::path& table) {
-    return gnuplot_quoted(table.filename().string());
-}
-
-/// NOTE: what is no finite number is not drawn.
-std::string plot(const std::filesystem::path& table, const std::vector<Line>& lines,
-                 const FirstRows& rows = {}) {
-    const std::string first = rows.are_all ? "" : fmt::format(" every ::0::{}", rows.count - 1);
-    std::string text = lines.size() == 1
-                           ? "set key off\nplot"
-                           : "set key outside right center samplen 2 font ',11'\nplot";
-    for (std::size_t i = 0; i < lines.size(); ++i) {
-        const Line& line = lines[i];
-        text += fmt::format("{} {} skip 1{} using (column({})):((column({})-({:.17g}))/{:g}) with "
-                            "lines linestyle {} title {}",
-                            i == 0 ? "" : ",", quoted_name(table), first, line.x, line.y, line.less,
-                            line.unit, i % style_count + 1, gnuplot_label(line.name));
-    }
-    return text + "\n";
 }
 
 /// A part of the page, whose lower left corner is at 0, 0 and the upper right one at 1, 1.
@@ -96,47 +40,6 @@ std::string panel(const Panel& panel, const std::string& title) {
                        panel.y, panel.width, panel.height, gnuplot_label(title));
 }
 
-/// The power of ten that numbers up to `largest` are shown in: 1 where they need none.
-int power_for(double largest) {
-    constexpr int least = -3, most = 4;
-    if (!(largest > 0) || !std::isfinite(largest)) return 0;
-    const int power = static_cast<int>(std::floor(std::log10(largest)));
-    return power < least || power >= most ? power : 0;
-}
-
-/// Curves in one panel, in units of one power of ten.
-struct Panelled {
-    std::vector<Line> lines;
-    int power = 0;
-};
-
-/// Departures of what is kept from what it was at the start.
-Panelled departures(const TrajectoryPicture& picture, std::size_t begin, std::size_t end) {
-    std::vector<std::size_t> numbers;
-    for (std::size_t i = begin; i < end; ++i) numbers.push_back(picture.kept[i].column.number);
-    const auto columns = read_columns(picture.table, numbers);
-    double largest = 0;
-    for (std::size_t i = begin; i < end; ++i)
-        for (const double value : columns[i - begin])
-            if (std::isfinite(value))
-                largest = std::max(largest, std::abs(value - picture.kept[i].start));
-    Panelled result{{}, power_for(largest)};
-    // NOTE: a power that no double has would be a division by zero.
-    result.power = std::max(result.power, -300);
-    for (std::size_t i = begin; i < end; ++i) {
-        const TrajectoryPicture::Kept& kept = picture.kept[i];
-        result.lines.push_back({time_column, kept.column.number, kept.start, kept.column.name,
-                                std::pow(10, result.power)});
-    }
-    return result;
-}
-
-std::string title_of(const Panelled& panelled) {
-    return (panelled.lines.size() == 1 ? panelled.lines.front().name + ", less that at the start"
-                                       : "invariants, less those at the start") +
-           (panelled.power == 0 ? "" : fmt::format(", in 1e{}", panelled.power));
-}
-
 /// NOTE: gnuplot's own numbers would overlap where they are large.
 std::string ticks_until(double end) {
     constexpr double most = 6, shortest = 1e-300;
@@ -145,9 +48,8 @@ std::string ticks_until(double end) {
 }
 
 std::string time_axis(double until) {
-    return fmt::format("set autoscale xfix\nset xlabel 't' offset 0,0.6\nunset ylabel\n"
-                       "set xtics {}\n",
-                       ticks_until(until));
+    return time_label("t") +
+           fmt::format("set autoscale xfix\nunset ylabel\nset xtics {}\n", ticks_until(until));
 }
 
 /// The columns over time: the beginning of the run, where more would be a bar.
@@ -181,13 +83,12 @@ std::string over_time(const TrajectoryPicture& picture, double width) {
     std::string script =
         time_axis(last_time(picture)) + "set format y '%g'\nset ytics nomirror autofreq\n";
     const bool has_more = picture.kept.size() > 1;
-    const auto first = departures(picture, 0, 1);
-    script += panel({0, has_more ? top / 2 : 0, width, has_more ? top / 2 : top}, title_of(first)) +
-              plot(picture.table, first.lines);
+    const DeparturesPanel first = departures_panel(picture, 0, 1);
+    script += panel({0, has_more ? top / 2 : 0, width, has_more ? top / 2 : top}, first.title) +
+              first.script;
     if (!has_more) return script;
-    const auto others = departures(picture, 1, picture.kept.size());
-    return script + panel({0, 0, width, top / 2}, title_of(others)) +
-           plot(picture.table, others.lines);
+    const DeparturesPanel others = departures_panel(picture, 1, picture.kept.size());
+    return script + panel({0, 0, width, top / 2}, others.title) + others.script;
 }
 
 /// A part of the picture beside what is kept, and what comes before all parts.
@@ -233,7 +134,7 @@ Beside beside(const TrajectoryPicture& picture, const TableCurves& view) {
             has_below ? tall_picture_height : picture_height};
 }
 
-/// Of a panel with an image.
+/// Axes of a panel with an image.
 std::string image_axes(const std::string& x, const std::string& y) {
     return fmt::format("set autoscale fix\nset format y '%g'\nset ytics autofreq\nset xlabel {} "
                        "offset 0,0.6\nset ylabel {}\nset key off\n",

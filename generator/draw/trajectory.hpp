@@ -70,12 +70,12 @@ struct TrajectoryPicture {
     View view;
 };
 
-/// As SVG. Throws as gnuplot_svg() does.
+/// Draws SVG. Throws as gnuplot_svg() does.
 [[nodiscard]] std::string draw(const TrajectoryPicture& picture);
 
-/// What to draw one against the other: q against p for one degree of freedom; else positions, those
-/// of each body where there are bodies: x[i] against y[i]. Nothing where a picture knows of neither
-/// two coordinates nor one and a momentum.
+/// Pairs of columns to draw one against the other: q against p for one degree of freedom; else
+/// positions, where there are bodies those of each: x[i] against y[i]. None where a picture knows
+/// of neither two coordinates nor one and a momentum.
 [[nodiscard]] std::vector<TableCurve> curves_of(const std::vector<TableColumn>& coordinates,
                                                 const std::vector<TableColumn>& momenta);
 

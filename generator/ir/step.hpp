@@ -1,4 +1,4 @@
-// What a step does and what it leaves out: every decision between a method and a header.
+// The work of a step, and what it leaves out: every decision between a method and a header.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -35,7 +35,8 @@ struct StageValue {
 /// Nodes that depend on each other and are solved for at once, or a single one that is evaluated.
 struct Block {
     bool coupled = false;
-    /// By kind, then by index: of Step::positions for Q and Lp, of Step::momenta for P and Lq.
+    /// Sorted by kind, then by index: of Step::positions for Q and Lp, of Step::momenta for P and
+    /// Lq.
     std::vector<StageNode> nodes;
 
     /// The indices of the nodes of one kind, ascending.
@@ -44,7 +45,7 @@ struct Block {
     friend bool operator==(const Block&, const Block&) = default;
 };
 
-/// What is proved of A and A~.
+/// The proof about A and A~.
 enum class Partner {
     same,       ///< A == A~: then mt == m
     different,  ///< A != A~
@@ -123,8 +124,8 @@ struct TabulatedCurve {
 /// One linear map, computed when h changes.
 struct TabulatedStep {
     enum class As { shears, matrix } as = As::shears;  ///< a product of shears where these exist
-    /// What the map is computed from. Of a curve the blocks of the step are one, and there are no
-    /// `momenta`.
+    /// Tables that the map is computed from. For a curve the blocks of the step are one, and there
+    /// are no `momenta`.
     std::variant<RoundedCoefficients, TabulatedCurve> tables = {};
 };
 
@@ -148,8 +149,8 @@ struct Extrapolation {
 /// How stage equations are solved.
 struct Iteration {
     Solver solver = Solver::of_user;
-    /// Of each of the steps in a row, or of the one step; empty: it begins with slopes at the
-    /// start.
+    /// Starting values of each of the steps in a row, or of the one step; empty: it begins with
+    /// slopes at the start.
     std::vector<Extrapolation> extrapolation;
 
     /// Newton's method may be called for.
@@ -192,7 +193,7 @@ struct VelocityStep {
     Iteration iteration;
     bool has_diagonal_mass = false;            ///< each momentum moves its own position alone
     HessianForm hessian = HessianForm::dense;  ///< for Newton's method
-    /// Of diag(b) n over the positions that are solved for, for Newton's method; see RealModes.
+    /// Modes of diag(b) n over the positions that are solved for, for Newton's method.
     std::optional<RealModes> modes;
 };
 
@@ -225,7 +226,7 @@ struct ChartStep {
     RoundedCoefficients coefficients = {};
 };
 
-/// What the lanes of the processor hold.
+/// The content of the lanes of the processor.
 enum class Layout {
     one,           ///< nothing: a number is a number
     stages,        ///< all stages of a step: see hvi::Lanes
@@ -236,7 +237,7 @@ enum class Layout {
 
 inline constexpr std::size_t widest_register = 8;  ///< numbers
 
-/// What the ways to solve for the stages cost, in operations on registers of four lanes; see
+/// Costs of the ways to solve for the stages, in operations on registers of four lanes; see
 /// SolverCosts of the runtime.
 struct SolverCosts {
     int sweep = 0, linear = 0, correction = 0, factors = 0;
@@ -251,7 +252,7 @@ struct StageCorrections {
     SolverCosts costs = {};
 };
 
-/// What a step moves beside the state.
+/// Things that a step moves beside the state.
 enum class Carries {
     nothing,
     directions,  ///< any number of them, by its derivative, with the stages of (q, p)
@@ -285,12 +286,13 @@ struct Step {
     KeptSlopes kept;
     std::optional<FromParameter> from_parameter;  ///< where a parameter is free
     std::variant<ExplicitStep, TabulatedStep, PairStep, VelocityStep, GalerkinStep, ChartStep> form;
-    /// Of a composition whose steps are taken one after the other, and of which this is one:
-    /// gamma_1, ..., gamma_k. Else empty: all that a step does is here.
+    /// The sizes gamma_1, ..., gamma_k of a composition whose steps are taken one after the other,
+    /// where this is one of them. Else empty: all that a step does is here.
     NumberVector in_a_row;
     Layout layout = Layout::one;
     Container container = Container::of_user;
-    /// Of stages in lanes whose solver is automatic; none where the stages do not decouple.
+    /// Corrections of stages in lanes whose solver is automatic; none where the stages do not
+    /// decouple.
     std::optional<StageCorrections> corrections = {};
     /// How many numbers go into a register, of stages in lanes.
     std::size_t register_width = widest_register;

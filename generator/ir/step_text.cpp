@@ -125,7 +125,7 @@ std::string lines(const RealModes& modes) {
     return result + '\n';
 }
 
-/// Of few degrees of freedom it is a matrix, and nothing is said.
+/// A line on the form of d2H/dq2; none for few degrees of freedom, where it is a matrix.
 std::string line(HessianForm form) {
     switch (form) {
     case HessianForm::dense: return "";

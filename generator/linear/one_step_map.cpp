@@ -9,7 +9,7 @@ namespace hvi::gen {
 
 namespace {
 
-/// By x_1 = x_0 + h J (I (x) b^T) K, where K is linear in S x_0 + g.
+/// The map x_1 = x_0 + h J (I (x) b^T) K, where K is linear in S x_0 + g.
 LinearMap map_of_part(const StageFunctions& stages, const QuadraticForm& H, const Number& h) {
     const std::size_t n = H.degrees_of_freedom();
     const StageGradients K = stage_gradients(H.S, stages, stages.A_tilde * Number(-1));

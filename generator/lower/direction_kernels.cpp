@@ -51,7 +51,7 @@ private:
         return result;
     }
 
-    /// The same value, of what is kept.
+    /// The value, written with factors that are kept.
     [[nodiscard]] Scaled rebuilt(const Scaled& value) {
         if (value.is_zero()) { return value; }
         const Term term = split(value);
@@ -80,7 +80,8 @@ private:
         return sums_[node] = result;
     }
 
-    /// What a factor is called for directions. NOTE: signs are outside, so that x and -x are one.
+    /// The input that a factor is for directions. NOTE: signs are outside, so that x and -x are
+    /// one.
     [[nodiscard]] Scaled kept(const Scaled& factor) {
         if (!varies(graph_.at(factor.node).roles)) { return factor; }
         const SmallFraction sign{factor.factor.above < 0 ? -1 : 1, 1};

@@ -1,4 +1,5 @@
-// What a stepper evaluates of H, as straight-line code: what is written, and what is counted.
+// Functions of H that a stepper evaluates, as straight-line code: what is written, and what is
+// counted.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 

@@ -91,7 +91,7 @@ std::string table_of_peers(const SceneReport& scene) {
     return text + end_of_table;
 }
 
-/// What is said of methods and conserved quantities, and what was seen of it.
+/// Verdicts on methods and conserved quantities, and the largest departures in runs.
 std::string table_of_kept(const SceneReport& scene) {
     const std::vector<std::string> heads{"conserved", "by each step", "why", "largest departure"};
     std::string rows;

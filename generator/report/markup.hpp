@@ -26,8 +26,8 @@ inline constexpr const char* end_of_table = "</tbody></table></div>\n";
 /// A row for a group of rows, above them.
 [[nodiscard]] std::string group_row(const std::string& text, std::size_t columns);
 
-/// An SVG of gnuplot from its first element on, as what stands before belongs to a file of its own.
-/// It has this title. Its ids begin with `prefix`: those of all pictures of a page must differ.
+/// An SVG of gnuplot from its first element on, as what stands before belongs to a file of its own;
+/// with this title. Its ids begin with `prefix`: the ids of all pictures of a page must differ.
 [[nodiscard]] std::string inlined(const std::string& svg, const std::string& title,
                                   const std::string& prefix);
 

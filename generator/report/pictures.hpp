@@ -15,15 +15,15 @@ struct Picture {
     std::string svg;
 };
 
-/// In the order in which they are shown.
+/// All pictures of a report, in the order in which they are shown.
 struct Pictures {
     std::vector<std::vector<Picture>> of_scenes;  ///< of each
     std::vector<std::vector<Picture>> of_edges;   ///< of each chapter
 };
 
-/// Of each scene, error against run time and against evaluations, and how energy and invariants
-/// depart over time; and those of the edges, `edges-stiff-1`; as far as there is anything to show.
-/// Throws as gnuplot_svg() does.
+/// Draws for each scene error against run time and against evaluations, and how energy and
+/// invariants depart over time; and the pictures of the edges, `edges-stiff-1`; as far as there is
+/// anything to show. Throws as gnuplot_svg() does.
 [[nodiscard]] Pictures report_pictures(const Report& report);
 
 }  // namespace hvi::gen

@@ -1,4 +1,4 @@
-// What a report says.
+// The content of a report, before it is a page, JSON or CSV.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 

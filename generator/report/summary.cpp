@@ -1,4 +1,4 @@
-// What a report says before all else.
+// The summary and the contents of a report.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <fmt/format.h>
 

@@ -13,7 +13,7 @@
 
 namespace hvi::gen {
 
-/// What was measured of those that were wished for.
+/// Findings on directions, as far as they were wished for.
 struct TangentFindings {
     std::optional<double> lyapunov, megno, sali;
     std::vector<double> exponents;  ///< descending

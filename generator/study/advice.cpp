@@ -35,7 +35,7 @@ constexpr const char* implicit_methods[] = {"gauss:2", "gauss:3", "gauss:4",
 
 ComposedMethod named(const char* name) { return composed_method(given("--accuracy", name)); }
 
-/// Those that solve nothing first, where there are any.
+/// Candidates; explicit ones first, where there are any.
 std::vector<Candidate> candidates(const Structure& structure, const AdviceWishes& wishes) {
     std::vector<Candidate> all;
     if (structure.is_separable)
@@ -109,7 +109,7 @@ public:
             if (has_no_hope(i) || !run(i, *next, seconds_of_look)) return;
     }
 
-    /// By rising time that they will take.
+    /// Candidates by the time that they will take, the shortest first.
     [[nodiscard]] std::vector<std::size_t> by_prediction() const {
         std::vector<std::size_t> order(curves_.size());
         std::iota(order.begin(), order.end(), std::size_t{0});
@@ -121,7 +121,7 @@ public:
         return order;
     }
 
-    /// What may be the fastest runs again, for longer, and in turn: so a disturbance meets all.
+    /// Runs again, for longer and in turn, what may be the fastest: so a disturbance meets all.
     void time_the_best() {
         constexpr double near = 2;
         constexpr int rounds = 4;
@@ -205,7 +205,7 @@ void choose(Advice& advice, const std::string& scene, double accuracy, bool is_c
     advice.is_reached = false;
 }
 
-/// Of which double is enough to be known to a hundredth of it.
+/// The smallest accuracy whose reference may be in double, which knows a hundredth of it.
 constexpr double coarsest_of_quadruple = 1e-9;
 constexpr double part_of_accuracy = 1e-2;
 
@@ -215,8 +215,8 @@ struct FoundReference {
     std::optional<WorkPoint> run = {};
 };
 
-/// By a method of high order, whose steps are halved until the end moves little, or for so many
-/// seconds.
+/// A reference by a method of high order, whose steps are halved until the end moves little, or for
+/// so many seconds.
 FoundReference reference_in_double(const Contender& contender, const AdviceWishes& wishes,
                                    double seconds) {
     constexpr std::int64_t most_steps = 1'000'000'000;

@@ -22,7 +22,7 @@ struct Candidate {
     Solver solver = Solver::automatic;
 };
 
-/// What is asked for.
+/// The accuracy that is asked for, and limits of the search.
 struct AdviceWishes {
     double accuracy = 0;           ///< the largest error at the end, relative as in a report
     double until = 0;              ///< the time at the end

@@ -31,11 +31,11 @@ struct Departures {
     double h = 0;
     std::vector<double> times;
     std::vector<double> energy;      ///< the largest between two times; empty where it is not kept
-    std::vector<double> invariants;  ///< the same of the norm of the others' departures
+    std::vector<double> invariants;  ///< likewise, the norm of the others' departures
     std::vector<double> largest;     ///< of the energy, where it is kept, and of each invariant
 };
 
-/// What is said of a method and a conserved quantity, and what was measured.
+/// The verdict on a method and a conserved quantity, and what was measured.
 struct KeptQuantity {
     std::string name;
     std::string expression;
@@ -53,7 +53,7 @@ struct WorkCurve {
     std::vector<KeptQuantity> kept = {};
 };
 
-/// What errors are measured against.
+/// The state that errors are measured against.
 struct Reference {
     std::string kind;           ///< `exact`, of the scene; else the numbers it was computed in
     double error = 0;           ///< of itself, as an estimate; 0 for exact

@@ -40,7 +40,7 @@ Sides sides(const WorkCurve& curve, double accuracy) {
     return result;
 }
 
-/// As many times the steps make of one error another.
+/// The factor on the number of steps that makes the wanted error of another.
 double ratio_of_steps(double error, double wanted, double slope) {
     return std::pow(error / wanted, 1 / slope);
 }

@@ -14,8 +14,8 @@ namespace fs = std::filesystem;
 
 constexpr std::array tolerances{1e-3, 1e-5, 1e-6, 1e-8, 1e-9, 1e-11, 1e-12, 1e-14};
 
-/// Of the equations in implicit methods of equal steps. A looser one shows in errors of 1e-10, a
-/// tighter one is below round-off where coordinates are large.
+/// The tolerance of the equations in implicit methods of equal steps. A looser one shows in errors
+/// of 1e-10, a tighter one is below round-off where coordinates are large.
 constexpr double tolerance_of_equations = 1e-12;
 
 /// Runs of what chooses its steps.

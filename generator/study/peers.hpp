@@ -16,8 +16,8 @@ struct PeerCurve {
     MeasureAgain again;
 };
 
-/// Of all that apply to the scene, by a program that is made of `stepper`, which is made for peers,
-/// and the library's driver. Throws what ask() does.
+/// Measures all integrators of the library that apply to the scene. The program is made of
+/// `stepper`, which is made for peers, and the library's driver. Throws what ask() does.
 [[nodiscard]] std::vector<PeerCurve> peer_curves(const std::filesystem::path& program,
                                                  const PeerLibrary& library,
                                                  const SceneStepper& stepper, const Course& course);

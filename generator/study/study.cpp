@@ -51,7 +51,7 @@ Programs programs(Builds& builds, const LoweredScene& scene, const StudyWishes& 
     return all;
 }
 
-/// The same of a scene of any size.
+/// Programs for a scene of any size.
 struct LargePrograms {
     LargeReference reference;
     std::vector<Contender> contenders;
@@ -76,7 +76,7 @@ struct RunsOfMethod {
     SampleDepartures sample;
 };
 
-/// Of equal steps that lead to the end.
+/// Runs of equal steps that lead to the end.
 RunsOfMethod equal_steps(const Contender& contender, const Course& course, MeasureSteps measure) {
     return {
         measure,
@@ -122,7 +122,7 @@ public:
     Study(SceneReport& report, TimeSpent& time_spent, std::size_t parts)
         : report_(report), time_spent_(time_spent), parts_(static_cast<double>(parts)) {}
 
-    /// What is done while the result lives.
+    /// Shows what is done, and counts its time while the result lives.
     [[nodiscard]] TimeSpent::Part begin(const std::string& what) {
         bar_.show(done_++ / parts_, report_.name + ": " + what);
         return TimeSpent::Part(time_spent_, what);

@@ -16,7 +16,7 @@
 
 namespace hvi::gen {
 
-/// What is to be measured.
+/// Methods and libraries to measure, and how.
 struct StudyWishes {
     std::vector<StudiedMethod> methods;
     std::vector<double> steps;  ///< sizes, of which none is 0; empty: chosen for each method so

@@ -1,4 +1,4 @@
-// What an accuracy costs, from runs that were measured.
+// The cost of an accuracy, from runs that were measured.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 

@@ -1,4 +1,4 @@
-// What runs of a method cost, and how far off they end.
+// Costs of runs of a method, and how far off they end.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -14,10 +14,10 @@ namespace hvi::gen {
 constexpr double longest_of_search = 0.5;
 constexpr double longest_of_large_search = 2;  // of scenes of any size
 
-/// What steps are of.
+/// The variable that steps divide.
 enum class StepVariable { time, scaled_time };
 
-/// What runs are compared by.
+/// The end that runs go to, and what they are compared with there.
 struct Course {
     Reference reference;
     double until = 0;                        ///< the time; of scaled time some length, of which
@@ -40,7 +40,7 @@ constexpr double seconds_of_timing = 0.05;  // of each point, in each round
 /// Measures a run in so many equal steps, timed over so many seconds.
 using MeasureSteps = std::function<Measurement(std::int64_t count, double seconds)>;
 
-/// Of so many equal steps until the end of the course.
+/// Measures so many equal steps until the end of the course.
 [[nodiscard]] WorkPoint work_point(const Course& course, const MeasureSteps& measure,
                                    std::int64_t count, double seconds);
 

@@ -38,7 +38,8 @@ void keep_of_lanes(Writer& writer, const Step& step) {
     }
 }
 
-/// The same of stages one by one, with x where the step begins.
+/// Stages from their slopes, one by one, with x where the step begins, and what the system keeps of
+/// each.
 void keep_of_each(Writer& writer, const Step& step) {
     const std::string time = time_of_stage(step, "i", "s_");
     const std::string behind = time.empty() ? time : ", " + time;

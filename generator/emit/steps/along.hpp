@@ -1,4 +1,4 @@
-// What steps do for the directions that they carry along.
+// Code of steps for the directions that they carry along.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 

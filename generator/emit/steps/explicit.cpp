@@ -125,7 +125,7 @@ std::string plain_moves_text(const Step& step) {
 
 // ---- what depends on how a step sums ----
 
-/// Of the class of the stepper.
+/// Parts of the class of the stepper.
 struct ExplicitParts {
     std::vector<std::string> runtime;  ///< headers of hvi that not every one has
     std::vector<std::string> scratch;  ///< vectors that a step leaves nothing in

@@ -21,7 +21,7 @@ struct Move {
 
 [[nodiscard]] std::vector<Move> moves(const Step& step);
 
-/// What kicks and drifts call their things.
+/// Names that kicks and drifts have for their parts.
 struct MoveNames {
     std::string_view moved;  // p
     std::string_view gradient, sign, weights, kept;

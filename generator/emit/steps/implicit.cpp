@@ -55,7 +55,8 @@ bool takes_parts(const Step& step) {
     return iteration != nullptr && iteration->takes_parts();
 }
 
-/// Of a step, or of one of several in a row. NOTE: the action looks at the time itself.
+/// The function of a step, or of one of several in a row. NOTE: the action looks at the time
+/// itself.
 std::string one_step(const Step& step, const std::string& body, const EmitOptions& options) {
     const bool has_parts = takes_parts(step);
     return fill_part(

@@ -102,7 +102,7 @@ std::string prediction_of_lanes(const Step& step, const Iteration& iteration,
 
 // ---- corrections ----
 
-/// What solves the linear part of the equations of `unknowns`, Position or Pair.
+/// The type that solves the linear part of the equations of `unknowns`, Position or Pair.
 std::string type_of_linear_part(const Step& step, std::string_view unknowns) {
     const auto* stiff = std::get_if<StiffComponents>(&step.corrections->linear);
     if (stiff == nullptr) {
@@ -222,7 +222,7 @@ std::string corrections_of_positions(const Step& step) {
     return members_for_corrections(step, "positions();", hessian.str());
 }
 
-/// What Newton's method asks for.
+/// Members that Newton's method asks for, of stages that are positions.
 std::string newton_of_position_lanes(const Step& step, const VelocityStep& form) {
     if (!form.iteration.takes_newton()) { return {}; }
     if (!step.corrections) {
@@ -334,7 +334,7 @@ std::string corrections_of_pairs(const Step& step) {
                                    hessian.str());
 }
 
-/// What Newton's method asks for.
+/// Members that Newton's method asks for, of stages that are pairs.
 std::string newton_of_pair_lanes(const Step& step, const Iteration& iteration) {
     if (!iteration.takes_newton()) { return {}; }
     if (step.corrections) {

@@ -232,7 +232,7 @@ std::vector<std::size_t> indices_of(const std::vector<Slope>& slopes, std::strin
     return indices;
 }
 
-/// Both slopes of all stages as at the step's start.
+/// Sets both slopes of all stages to those at the step's start.
 void constant_jointly(Writer& writer, const Step& step, const std::vector<Slope>& slopes) {
     writer.line("Vector dHdq, dHdp;");
     writer.line("system_.{};", gradient_call(start_of_step(step), "dHdq", "dHdp"));

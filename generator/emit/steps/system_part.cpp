@@ -13,7 +13,7 @@ namespace hvi::gen {
 
 namespace {
 
-/// What needs no solver may be computed by the compiler.
+/// `constexpr` for steps without a solver, which the compiler may compute.
 std::string_view constant_if_explicit(const Step& step) {
     return step.is_explicit() ? "constexpr " : "";
 }

@@ -147,7 +147,7 @@ bool keeps_tangents(const VelocityStep& form) {
     return form.iteration.solver == Solver::newton_taylor;
 }
 
-/// What a solver asks for beside forces and positions.
+/// Members that a solver asks for beside forces and positions.
 std::string more_text(const Step& step, const VelocityStep& form,
                       const std::vector<std::size_t>& unknown) {
     if (form.iteration.takes_newton()) {

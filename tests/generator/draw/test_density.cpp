@@ -47,6 +47,22 @@ TEST_CASE("a curve is shown up to its turning points") {
     CHECK(rows_with_turns({std::nan(""), 0, 1, std::nan(""), 0}, 0.1, 0) == 4);
 }
 
+TEST_CASE("a band has the range and the mean of each part") {
+    const std::vector<double> x{0, 1, 2, 3, 4, 5, 6, 7, 8, 9};
+    const Band all = band(x, {5, 1, 3, 0, 0, 6, -1, 2, 2, 1}, 3);
+    CHECK(all.x == std::vector<double>{1, 4, 7.5});
+    CHECK(all.least == std::vector<double>{1, 0, -1});
+    CHECK(all.most == std::vector<double>{5, 6, 2});
+    CHECK(all.mean == std::vector<double>{3, 2, 1});
+
+    const double none = std::nan(""), infinite = HUGE_VAL;
+    const Band some = band({0, 1, 2, 3, 4, 5}, {none, 4, none, -infinite, infinite, 7}, 3);
+    CHECK(some.x == std::vector<double>{0.5, 4.5});
+    CHECK(some.least == std::vector<double>{4, 7});
+    CHECK(some.most == std::vector<double>{4, 7});
+    CHECK(some.mean == std::vector<double>{4, 7});
+}
+
 TEST_CASE("columns have an extent together") {
     CHECK(extent({{1, 2, std::nan("")}, {-3}}) == 5);
     CHECK(extent({}) == 0);

@@ -1,4 +1,4 @@
-// What `hvi-gen stepper` writes.
+// Headers that `hvi-gen stepper` writes.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <sstream>
 #include <string>

@@ -11,7 +11,7 @@ struct Example {
     int (*main)();  ///< 0 where all is as the docstring says
 };
 
-/// One for each public header.
+/// Examples, one for each public header.
 const std::vector<Example>& examples();
 
 }  // namespace docstrings

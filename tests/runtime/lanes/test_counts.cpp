@@ -32,7 +32,8 @@ struct Sweeps {
     double h, count;
 };
 
-/// One or two more see that nothing falls any more, and there are trials of other ways.
+/// Counts sweeps. One or two more than expected see that nothing falls any more, and there are
+/// trials of other ways.
 template <class Stepper>
 void check_sweeps(const std::array<Sweeps, 3>& expected) {
     for (const auto& [h, count] : expected) {

@@ -23,7 +23,7 @@ struct StagesInLanes {
     using Number = Scalar;  ///< of each direction,
     using Kept = Scalar;    ///< and in memory
 
-    /// What part i is multiplied by, where there is a factor for each stage.
+    /// The factors of part i, where there is a factor for each stage.
     [[nodiscard]] static Lane factor(const LaneRow<Scalar, stages>& of_stages, std::size_t) {
         return Lane(of_stages);
     }
@@ -40,7 +40,7 @@ struct StagesInLanes {
     [[nodiscard]] static Number sum(const Cell& x) { return sum_of_lanes(x[0]); }
     [[nodiscard]] static Number total(const Lane& x) { return sum_of_lanes(x); }
 
-    /// What the system has kept for the stages of part i.
+    /// Numbers that the system has kept for the stages of part i.
     template <std::size_t count>
     [[nodiscard]] static LaneAccess<Lane> kept(const LaneRows<Scalar, stages, count>& rows,
                                                std::size_t) {

@@ -13,7 +13,7 @@
 
 namespace hvi::detail {
 
-/// So much more than nothing that a quotient by it is a number.
+/// A size above zero such that a quotient by it is a finite number.
 template <class Scalar>
 inline constexpr auto least = static_cast<Scalar>(std::numeric_limits<float>::min());
 
@@ -26,7 +26,7 @@ template <class Cells>
     return Cells::total(change) / (Cells::total(size) + Number(least<Scalar>));
 }
 
-/// So many directions as `Cells` has, and what rounding cut off from them.
+/// Directions, as many as `Cells` has, and what rounding cut off from them.
 template <class Cells, std::size_t dimension>
 class DirectionState {
 public:

@@ -83,7 +83,7 @@ private:
     std::uint64_t force_at_ = nowhere, velocity_at_ = nowhere;  ///< numbers of points
 };
 
-/// What a system keeps of a point for second derivatives along directions: so many numbers.
+/// Numbers that a system keeps of a point for second derivatives along directions.
 template <class Vector, std::size_t count>
 class KeptOfPoint {
 public:
@@ -173,7 +173,7 @@ private:
         });
     }
 
-    /// So many of them cost as much one by one as eight side by side.
+    /// The number of directions that cost as much one by one as eight side by side.
     static constexpr std::size_t few = 4;
 
     Groups<One, Eight, few> groups_;

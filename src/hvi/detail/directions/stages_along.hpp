@@ -263,8 +263,8 @@ private:
     LaneRows<Scalar, stages, kept_count> kept_{};
     LaneRow<Scalar, stages> hb_q_{}, hb_p_{};
     Scalar weighed_ = 0;  ///< the step size of these
-    /// So many of them cost as much one by one as eight side by side. NOTE: where there is little
-    /// to compute, one waits for results, and eight wait no longer.
+    /// The number of directions that cost as much one by one as eight side by side. NOTE: where
+    /// there is little to compute, one waits for results, and eight wait no longer.
     static constexpr std::size_t few = stages * dimension < 16 ? 2 : 4;
 
     Groups<One, Eight, few> groups_;
