@@ -160,8 +160,8 @@ void add_event(const MonitorFindings& found, Lines& lines) {
     if (!found.event || !directions.fault.empty()) return;
     const std::string& name = found.event->name;
     if (!found.event->crossing) {
-        lines.emplace_back("section", "its derivatives are not built for rotations, and where H is "
-                                      "too long to be written out");
+        lines.emplace_back("section", "its derivatives are not built where H is too long to be "
+                                      "written out, and for rotations");
         return;
     }
     if (directions.event_time.empty()) {
