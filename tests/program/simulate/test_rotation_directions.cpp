@@ -18,7 +18,7 @@ using namespace hvi::test;
 namespace {
 
 using Vector = std::array<double, 3>;
-using Matrix = std::array<double, 9>;  ///< row by row
+using Attitude = std::array<double, 9>;  ///< row by row
 using Quaternion = std::array<double, 4>;
 
 Vector operator+(const Vector& a, const Vector& b) {
@@ -51,16 +51,16 @@ Quaternion turn(const Vector& theta) {
 }
 
 /// R a, or R^T a.
-Vector times(const Matrix& R, const Vector& a) {
+Vector times(const Attitude& R, const Vector& a) {
     return {R[0] * a[0] + R[1] * a[1] + R[2] * a[2], R[3] * a[0] + R[4] * a[1] + R[5] * a[2],
             R[6] * a[0] + R[7] * a[1] + R[8] * a[2]};
 }
-Vector transposed_times(const Matrix& R, const Vector& a) {
+Vector transposed_times(const Attitude& R, const Vector& a) {
     return times({R[0], R[3], R[6], R[1], R[4], R[7], R[2], R[5], R[8]}, a);
 }
 
 /// theta of dR = R hat(theta).
-Vector turn_of(const Matrix& R, const Matrix& dR) {
+Vector turn_of(const Attitude& R, const Attitude& dR) {
     Vector theta{};
     for (std::size_t a = 0; a < 3; ++a) {
         const std::size_t b = (a + 1) % 3, c = (a + 2) % 3;
@@ -101,8 +101,8 @@ const std::string top_in_gravity =
 const Body start_of_top{{std::cos(0.5), 0, std::sin(0.5), 0}, {0.5, 1, -0.7}};
 
 /// R and L in a row of the table of one body.
-Matrix rotation_in(const std::vector<double>& row) {
-    Matrix R{};
+Attitude rotation_in(const std::vector<double>& row) {
+    Attitude R{};
     std::copy_n(row.begin() + 1, 9, R.begin());
     return R;
 }
@@ -120,11 +120,11 @@ Body moved(const Body& start, std::size_t k, double by) {
 
 /// Column k of D, from runs that begin on both sides.
 std::array<double, 6> difference(const std::function<SceneRun(const Body&)>& run, const Body& start,
-                                 const Matrix& R, std::size_t k) {
+                                 const Attitude& R, std::size_t k) {
     const double by = 1e-5;
     const auto up = run(moved(start, k, by)).last(), down = run(moved(start, k, -by)).last();
-    Matrix dR{};
-    const Matrix R_up = rotation_in(up), R_down = rotation_in(down);
+    Attitude dR{};
+    const Attitude R_up = rotation_in(up), R_down = rotation_in(down);
     for (std::size_t i = 0; i < 9; ++i) dR[i] = (R_up[i] - R_down[i]) / (2 * by);
     const Vector theta = turn_of(R, dR);
     const Vector dL = 1 / (2 * by) * (momentum_in(up) - momentum_in(down));
@@ -209,7 +209,7 @@ TEST_CASE("the derivative of a free symmetric body is that of its closed form", 
                   "--tangent");
     INFO(found.outcome.err);
     REQUIRE(found.tangent.size() == 6);
-    const Matrix R0 = rotation_in(found.row(0));
+    const Attitude R0 = rotation_in(found.row(0));
     const Vector l = times(R0, start.L), u = t / A * l, e3 = unit(2);
     const double x = std::sqrt(dot(u, u)), angle = t * c * start.L[2];
     const auto dexp = [&](const Vector& v) {
@@ -247,7 +247,7 @@ TEST_CASE("the derivative of a top is that of runs that begin nearby", "[rotatio
                       "--tangent " + how);
         INFO(found.outcome.err);
         REQUIRE(found.tangent.size() == 6);
-        const Matrix R = rotation_in(found.last());
+        const Attitude R = rotation_in(found.last());
         for (std::size_t k = 0; k < 6; ++k) {
             const std::array<double, 6> column = difference(run, start_of_top, R, k);
             for (std::size_t i = 0; i < 6; ++i)
