@@ -170,7 +170,7 @@ private:
         for (const Rows& table : tables_) ahead = std::min(ahead, table.ahead(taken()));
         const std::int64_t before = taken();
         ahead = std::min({ahead, saver_.ahead(taken()), samples_.ahead(taken())});
-        is_looked_into() ? look_into_step() : take(std::min(ahead, to_output()));
+        is_looked_into() ? look_into(ahead) : take(std::min(ahead, to_output()));
         if (taken() == before) return;
         write();
         tell_progress();
@@ -210,13 +210,23 @@ private:
         run_.t = static_cast<double>(taken()) * wishes_.h;
     }
 
-    /// Takes a step that may contain events or output times.
+    /// Takes steps that may contain events or output times, at most so many: several where all are
+    /// looked into anyway and are quick, as what is done between them takes as long as a small one.
+    void look_into(std::int64_t most) {
+        constexpr std::int64_t at_once = 16;
+        const bool are_several = is_quick_ && (wishes_.clock || !wishes_.events.events.empty());
+        const std::int64_t end = taken() + (are_several ? std::min(at_once, most) : 1);
+        do {
+            look_into_step();
+        } while (taken() < end && run_.ending == Ending::all_steps && !is_stopped());
+    }
+
     void look_into_step() {
         const std::int64_t before = taken();
         course_.take(stepper_, x_, wishes_.h, static_cast<double>(before + 1) * wishes_.h, run_);
         if (taken() == before) return;
         invariants_.see(stepper_, x_);
-        reductions_.see(run_.t, value_now());
+        if (reductions_.any()) reductions_.see(run_.t, value_now());
     }
 
     /// Takes the values of a step. NOTE: where invariants cost as much as a step, they are computed
@@ -285,6 +295,8 @@ private:
     /// Reports progress ten times a second.
     void tell_progress() {
         const auto now = std::chrono::steady_clock::now();
+        is_quick_ = now - last_look_ < std::chrono::milliseconds(1);
+        last_look_ = now;
         if (now - last_word_ < std::chrono::milliseconds(100)) return;
         last_word_ = now;
         const double part = wishes_.clock
@@ -342,7 +354,9 @@ private:
     driver::EnergyOfMotion<DrivenProblem> motion_;
     detail::EventSteps<DrivenStepper> course_{events(), stepper_};
     CheckpointSaver saver_;
-    std::chrono::steady_clock::time_point last_word_ = std::chrono::steady_clock::now();
+    std::chrono::steady_clock::time_point last_word_ = std::chrono::steady_clock::now(),
+                                          last_look_ = last_word_;
+    bool is_quick_ = false;  ///< whether what was taken at once took less than a millisecond
 };
 
 }  // namespace

@@ -112,15 +112,12 @@ TEST_CASE("a fall by its Lagrangian, whose momentum depends on the place") {
     // p = 2 v + q, and q = q0 + v0 t - t^2 begins with q0 = 4, v0 = 3, p0 = 10. On the floor it is
     // t = (v0 + s)/2 and p = -2 s with s = sqrt(v0^2 + 4 q0) = 5; dv0 = (dp0 - dq0)/2.
     const std::string L = "v^2 - 4*q + q*v", start = "q = 4, v = 3";
-    for (const std::string how : {"--tangent", "--tangent --interpret"}) {
-        const SceneRun floor = run_scene(scene_of_L(L, start, "q"), how);
-        check_rows(section_of(floor, {"t", "q", "p_q"}), {{-0.2, 0.4}, {0, 0}, {-0.2, -0.6}},
-                   1e-12);
-        // At the top it is t = v0/2, and p = q = q0 + v0^2/4.
-        const SceneRun top = run_scene(scene_of_L(L, start, "v"), how);
-        check_rows(section_of(top, {"t", "q", "p_q"}), {{-0.25, 0.25}, {0.25, 0.75}, {0.25, 0.75}},
-                   1e-12);
-    }
+    const SceneRun floor = run_scene(scene_of_L(L, start, "q"), "--tangent");
+    check_rows(section_of(floor, {"t", "q", "p_q"}), {{-0.2, 0.4}, {0, 0}, {-0.2, -0.6}}, 1e-12);
+    // At the top it is t = v0/2, and p = q = q0 + v0^2/4.
+    const SceneRun top = run_scene(scene_of_L(L, start, "v"), "--tangent");
+    check_rows(section_of(top, {"t", "q", "p_q"}), {{-0.25, 0.25}, {0.25, 0.75}, {0.25, 0.75}},
+               1e-12);
 }
 
 TEST_CASE("a Lagrangian and a surface that depend on the time") {
@@ -156,8 +153,8 @@ TEST_CASE("a section by a Lagrangian is that by its Hamiltonian") {
         of_H{"t", "r", "f", "pr", "pf"};
     check_same_section(run_scene(by_L + event("sin(f) - r/4"), "--tangent"), of_L,
                        run_scene(by_H + event("sin(f) - r/4"), "--tangent"), of_H);
-    check_same_section(run_scene(by_L + event("vr - vf*r/5"), "--tangent"), of_L,
-                       run_scene(by_H + event(vr + " - " + vf + "*r/5"), "--tangent"), of_H);
+    check_same_section(run_scene(by_L + event("vr - vf/50"), "--tangent"), of_L,
+                       run_scene(by_H + event(vr + " - " + vf + "/50"), "--tangent"), of_H);
 }
 
 TEST_CASE("a section where sums stay loops is that where they are written out") {

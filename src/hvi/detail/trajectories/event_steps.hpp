@@ -101,7 +101,7 @@ public:
         result.run.status = stepper.step(x, h);
         result.run.iterations += result.run.status.iterations;
         if (result.run.ok()) {
-            start_ = stretch_.from;
+            has_jumped_ = false;
             stretch_.to = x;
             stretch_.t_end = time_of_ ? time_of_(x) : next;
             if (time_of_ && !is_before(stretch_.t, stretch_.t_end)) {
@@ -109,7 +109,9 @@ public:
             } else {
                 pass(x, result);
             }
-            if (!result.ok() && result.ending != Ending::accumulation) { x = start_; }
+            if (!result.ok() && result.ending != Ending::accumulation) {
+                x = has_jumped_ ? start_ : stretch_.from;
+            }
         } else {
             result.ending = Ending::failed_step;
         }
@@ -402,7 +404,7 @@ private:
     }
 
     void close(State& x) {
-        x = stretch_.to;
+        if (has_jumped_) { x = stretch_.to; }
         for (std::size_t i = 0; i < events_.size(); ++i) {
             Cursor& cursor = cursors_[i];
             cursor.from = 0;
@@ -480,6 +482,8 @@ private:
         }
         // NOTE: the rest of the step may be no more than rounding.
         stretch_.span *= 1 - part > 4 * tolerance() ? 1 - part : 0;
+        if (!has_jumped_) { start_ = stretch_.from; }
+        has_jumped_ = true;
         stretch_.from = after;
         stretch_.t = t;
         stretch_.to = after;
@@ -528,6 +532,7 @@ private:
     ShortSteps<Stepper> stretch_;
     Scalar h_ = 0;
     State start_{}, within_{}, before_{};
+    bool has_jumped_ = false;  ///< within this step; it began at start_
     Status failure_;  ///< of a short step
 };
 
