@@ -40,9 +40,16 @@ constexpr std::array<Style, 6> styles_aside{{{"#303030", "solid", 12},
                                              {"#707070", "'.-'", 2},
                                              {"#909090", "'_'", 3}}};
 
-/// The k-th of its kind.
-const Style& style(const CurvesPicture::Curve& curve, std::size_t k) {
-    return curve.is_aside ? styles_aside.at(k % styles_aside.size()) : styles.at(k % styles.size());
+/// The k-th style. When the colours begin again, dashes and marks are other ones.
+template <std::size_t count>
+Style mixed(const std::array<Style, count>& all, std::size_t k) {
+    const Style& look = all.at((k + k / count) % count);
+    return {all.at(k % count).colour, look.dashes, look.mark};
+}
+
+/// The style of the k-th curve of its kind.
+Style style(const CurvesPicture::Curve& curve, std::size_t k) {
+    return curve.is_aside ? mixed(styles_aside, k) : mixed(styles, k);
 }
 
 /// The two arrays of a curve.
@@ -103,7 +110,7 @@ std::string draw(const CurvesPicture& picture) {
     std::size_t aside = 0, drawn = 0;
     for (std::size_t k = 0; k < picture.curves.size(); ++k) {
         const CurvesPicture::Curve& curve = picture.curves[k];
-        const Style& look = style(curve, curve.is_aside ? aside++ : drawn++);
+        const Style look = style(curve, curve.is_aside ? aside++ : drawn++);
         if (curve.points.empty()) continue;
         ringed.insert(ringed.end(), curve.ringed.begin(), curve.ringed.end());
         names.push_back(curve.name);

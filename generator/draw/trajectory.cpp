@@ -42,8 +42,8 @@ std::string panel(const Panel& panel, const std::string& title) {
 
 /// NOTE: gnuplot's own numbers would overlap where they are large.
 std::string ticks_until(double end) {
-    constexpr double most = 6, shortest = 1e-300;
-    const double length = std::abs(end);
+    constexpr double shortest = 1e-300, wide = 1e4;
+    const double length = std::abs(end), most = length < wide ? 6 : 4;
     return length < shortest ? "autofreq" : fmt::format("{:.1g}", distance_of_ticks(length, most));
 }
 

@@ -60,8 +60,9 @@ std::string table_of(const std::string& kind, const std::string& caption,
 }
 
 std::string group_row(const std::string& text, std::size_t columns) {
-    return fmt::format("<tr class=\"first\"><th colspan=\"{}\" scope=\"rowgroup\">{}</th></tr>\n",
-                       columns, escaped(text));
+    return fmt::format(
+        "<tr class=\"first\"><th colspan=\"{}\" scope=\"rowgroup\"><span>{}</span></th></tr>\n",
+        columns, escaped(text));
 }
 
 std::string inlined(const std::string& svg, const std::string& title, const std::string& prefix) {
