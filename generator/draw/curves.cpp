@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "generator/draw/gnuplot.hpp"
 
@@ -12,7 +13,7 @@ namespace hvi::gen {
 
 namespace {
 
-constexpr int page_width = 480, panel_height = 370, row_height = 20;
+constexpr int page_width = 480, panel_height = 370, row_height = 22;
 constexpr std::size_t longest_title = 46;   ///< characters, which fit beside each other
 constexpr std::size_t longest_of_two = 18;  ///< of names of curves in two columns
 constexpr const char* ring = "pointtype 6 pointsize 1.5 linecolor rgb '#202020' linewidth 1";
@@ -90,12 +91,20 @@ Legend legend_of(const std::vector<std::string>& names) {
     return {columns, (names.size() + columns - 1) / columns};
 }
 
+double largest_x(const CurvesPicture& picture) {
+    double largest = 0;
+    for (const CurvesPicture::Curve& curve : picture.curves)
+        for (const auto& [x, y] : curve.points) largest = std::max(largest, std::abs(x));
+    return largest;
+}
+
 std::string axes(const CurvesPicture& picture, const Legend& legend) {
     return fmt::format("set title {}\nset xlabel {} offset 0,0.4\nset ylabel {} offset 0.5,0\n",
                        title_label(picture.title), gnuplot_label(picture.x),
                        gnuplot_label(picture.y)) +
-           (picture.x_is_logarithmic ? "set logscale xy\nset format xy '10^{%L}'\n"
-                                     : "set logscale y\nset format y '10^{%L}'\n") +
+           (picture.x_is_logarithmic
+                ? "set logscale xy\nset format xy '10^{%L}'\n"
+                : "set logscale y\nset format y '10^{%L}'\n" + gnuplot_ticks(largest_x(picture))) +
            fmt::format("set grid linecolor rgb '#d8d8d8'\nset border linecolor rgb '#505050'\n"
                        "set key below maxcols {} height 1 Left reverse samplen 3\n",
                        legend.columns);

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <sstream>
 #include <string_view>
 
@@ -10,6 +11,7 @@
 #include "generator/support/error.hpp"
 #include "generator/support/powers.hpp"
 #include "generator/support/progress.hpp"
+#include "generator/support/ticks.hpp"
 
 namespace hvi::gen {
 
@@ -74,6 +76,15 @@ std::string gnuplot_array(const std::string& name, const std::vector<double>& nu
     for (const double number : numbers)
         list += fmt::format("{}{:.6g}", list.empty() ? "" : ",", number);
     return fmt::format("array {}[{}] = [{}]\n", name, numbers.size(), list);
+}
+
+std::string gnuplot_ticks(double end) {
+    constexpr double shortest = 1e-300, wide = 1e4;
+    const double length = std::abs(end), most = length < wide ? 6 : 4;
+    return "set xtics " +
+           (length < shortest ? "autofreq"
+                              : fmt::format("{:.1g}", distance_of_ticks(length, most))) +
+           "\n";
 }
 
 std::string gnuplot_quoted(const std::string& text) {

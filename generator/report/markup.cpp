@@ -52,8 +52,8 @@ std::string number_markup(double value) {
 
 std::string table_of(const std::string& kind, const std::string& caption,
                      const std::vector<std::string>& heads) {
-    std::string text = fmt::format("<div class=\"scroll\"><table class=\"{}\">\n<caption>{}"
-                                   "</caption>\n<thead><tr>",
+    std::string text = fmt::format("<div class=\"scroll\"><table class=\"{}\">\n<caption>"
+                                   "<span>{}</span></caption>\n<thead><tr>",
                                    kind, escaped(caption));
     for (const std::string& head : heads) text += "<th>" + head + "</th>";
     return text + "</tr></thead>\n<tbody>\n";
