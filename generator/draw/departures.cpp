@@ -16,7 +16,7 @@ namespace hvi::gen {
 namespace {
 
 constexpr std::size_t most_turns_of_line = 80;  // some six pixels for each
-constexpr std::size_t turns_in_part = 4;        // of a band: so it has the range of two swings
+constexpr std::size_t turns_in_part = 8;        // of a band: so it has the range of four swings
 constexpr std::size_t most_parts = 100;
 constexpr std::size_t most_bands = 8;  // in a panel: more would hide each other
 

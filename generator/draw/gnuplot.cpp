@@ -78,9 +78,10 @@ std::string gnuplot_array(const std::string& name, const std::vector<double>& nu
     return fmt::format("array {}[{}] = [{}]\n", name, numbers.size(), list);
 }
 
-std::string gnuplot_ticks(double end) {
+std::string gnuplot_ticks(double end, double most) {
     constexpr double shortest = 1e-300, wide = 1e4;
-    const double length = std::abs(end), most = length < wide ? 6 : 4;
+    const double length = std::abs(end);
+    if (length >= wide) most *= 2.0 / 3;
     return "set xtics " +
            (length < shortest ? "autofreq"
                               : fmt::format("{:.1g}", distance_of_ticks(length, most))) +

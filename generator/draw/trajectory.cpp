@@ -153,10 +153,13 @@ Beside beside(const TrajectoryPicture& picture, const PlacesInTime& view) {
 /// table becomes; not of a row.
 Beside beside(const TrajectoryPicture& picture, const FieldAtEnds& view) {
     constexpr double width = 0.4;
+    constexpr double most_ticks = 3;  // below an image of a third of the width of the page
     const std::size_t fast = view.second.count;
+    const auto length =
+        static_cast<double>(view.first.count) * static_cast<double>(view.first.stride);
     Beside result{width, palette,
                   "set datafile separator whitespace\nset size ratio -1\n" + image_axes("i", "j") +
-                      "set xtics autofreq\n"};
+                      gnuplot_ticks(length, most_ticks)};
     for (const int row : {0, 1}) {
         result.before +=
             fmt::format("set table $field{0}\nplot {1} skip 1 matrix every 1:1:1:{0}:{2}:{0} using "

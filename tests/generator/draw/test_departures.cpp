@@ -79,10 +79,10 @@ TEST_CASE("few swings are a line") {
     CHECK(panel.script.find("filledcurves") == std::string::npos);
     CHECK(panel.script.find("shaded") == std::string::npos);
     CHECK(panel.script.find("with lines linestyle 1") != std::string::npos);
-    // Of 99 turns 80 are shown in some 4000 rows of 5000: parts of four turns are 200 rows.
+    // Of 99 turns 80 are shown in some 4000 rows of 5000: parts of eight turns are 400 rows.
     const DeparturesPanel more = panel_of(5000, swinging);
     const auto most = array_of(more.script, "most0");
-    CHECK(most.size() == 24);
+    CHECK(most.size() == 12);
     for (const double value : most) CHECK(value == Approx(3).margin(0.001));
 }
 
