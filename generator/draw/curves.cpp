@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "generator/draw/gnuplot.hpp"
 
@@ -12,7 +13,7 @@ namespace hvi::gen {
 
 namespace {
 
-constexpr int page_width = 480, panel_height = 370, row_height = 20;
+constexpr int page_width = 480, panel_height = 370, row_height = 22;
 constexpr std::size_t longest_title = 46;   ///< characters, which fit beside each other
 constexpr std::size_t longest_of_two = 18;  ///< of names of curves in two columns
 constexpr const char* ring = "pointtype 6 pointsize 1.5 linecolor rgb '#202020' linewidth 1";
@@ -40,9 +41,16 @@ constexpr std::array<Style, 6> styles_aside{{{"#303030", "solid", 12},
                                              {"#707070", "'.-'", 2},
                                              {"#909090", "'_'", 3}}};
 
-/// The k-th of its kind.
-const Style& style(const CurvesPicture::Curve& curve, std::size_t k) {
-    return curve.is_aside ? styles_aside.at(k % styles_aside.size()) : styles.at(k % styles.size());
+/// The k-th style. When the colours begin again, dashes and marks are other ones.
+template <std::size_t count>
+Style mixed(const std::array<Style, count>& all, std::size_t k) {
+    const Style& look = all.at((k + k / count) % count);
+    return {all.at(k % count).colour, look.dashes, look.mark};
+}
+
+/// The style of the k-th curve of its kind.
+Style style(const CurvesPicture::Curve& curve, std::size_t k) {
+    return curve.is_aside ? mixed(styles_aside, k) : mixed(styles, k);
 }
 
 /// The two arrays of a curve.
@@ -83,12 +91,20 @@ Legend legend_of(const std::vector<std::string>& names) {
     return {columns, (names.size() + columns - 1) / columns};
 }
 
+double largest_x(const CurvesPicture& picture) {
+    double largest = 0;
+    for (const CurvesPicture::Curve& curve : picture.curves)
+        for (const auto& [x, y] : curve.points) largest = std::max(largest, std::abs(x));
+    return largest;
+}
+
 std::string axes(const CurvesPicture& picture, const Legend& legend) {
     return fmt::format("set title {}\nset xlabel {} offset 0,0.4\nset ylabel {} offset 0.5,0\n",
                        title_label(picture.title), gnuplot_label(picture.x),
                        gnuplot_label(picture.y)) +
-           (picture.x_is_logarithmic ? "set logscale xy\nset format xy '10^{%L}'\n"
-                                     : "set logscale y\nset format y '10^{%L}'\n") +
+           (picture.x_is_logarithmic
+                ? "set logscale xy\nset format xy '10^{%L}'\n"
+                : "set logscale y\nset format y '10^{%L}'\n" + gnuplot_ticks(largest_x(picture))) +
            fmt::format("set grid linecolor rgb '#d8d8d8'\nset border linecolor rgb '#505050'\n"
                        "set key below maxcols {} height 1 Left reverse samplen 3\n",
                        legend.columns);
@@ -103,7 +119,7 @@ std::string draw(const CurvesPicture& picture) {
     std::size_t aside = 0, drawn = 0;
     for (std::size_t k = 0; k < picture.curves.size(); ++k) {
         const CurvesPicture::Curve& curve = picture.curves[k];
-        const Style& look = style(curve, curve.is_aside ? aside++ : drawn++);
+        const Style look = style(curve, curve.is_aside ? aside++ : drawn++);
         if (curve.points.empty()) continue;
         ringed.insert(ringed.end(), curve.ringed.begin(), curve.ringed.end());
         names.push_back(curve.name);

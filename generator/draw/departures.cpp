@@ -16,7 +16,7 @@ namespace hvi::gen {
 namespace {
 
 constexpr std::size_t most_turns_of_line = 80;  // some six pixels for each
-constexpr std::size_t turns_in_part = 4;        // of a band: so it has the range of two swings
+constexpr std::size_t turns_in_part = 8;        // of a band: so it has the range of four swings
 constexpr std::size_t most_parts = 100;
 constexpr std::size_t most_bands = 8;  // in a panel: more would hide each other
 
@@ -60,6 +60,12 @@ std::string drawn_band(const std::string& name, std::size_t k) {
                        k, k % style_count + 1, gnuplot_label(name));
 }
 
+/// Commands with an axis of the whole time, as the middles of parts do not reach its ends.
+std::string whole_time(const std::vector<double>& times, const std::string& commands) {
+    const auto [first, last] = std::minmax(times.front(), times.back());
+    return fmt::format("set xrange [{:.17g}:{:.17g}]\n{}set autoscale x\n", first, last, commands);
+}
+
 std::string title_of(const std::vector<Line>& lines, int power) {
     return (lines.size() == 1 ? lines.front().name + ", less that at the start"
                               : "invariants, less those at the start") +
@@ -98,7 +104,8 @@ DeparturesPanel departures_panel(const TrajectoryPicture& picture, std::size_t b
                                                       : drawn_band(lines[k].name, k));
     }
     return {title_of(lines, power),
-            key_for(lines.size()) + arrays + time_label(label) + "plot" + text + "\n"};
+            key_for(lines.size()) + arrays + time_label(label) +
+                (arrays.empty() ? "plot" + text + "\n" : whole_time(times, "plot" + text + "\n"))};
 }
 
 }  // namespace hvi::gen

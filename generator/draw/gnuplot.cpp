@@ -3,12 +3,15 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+#include <sstream>
 #include <string_view>
 
 #include "generator/support/child.hpp"
 #include "generator/support/error.hpp"
 #include "generator/support/powers.hpp"
 #include "generator/support/progress.hpp"
+#include "generator/support/ticks.hpp"
 
 namespace hvi::gen {
 
@@ -17,11 +20,17 @@ namespace {
 constexpr const char* help_on_gnuplot =
     "install gnuplot (of Debian gnuplot-nox is enough), or leave the pictures out with --only";
 
-/// Writes a script as one argument, in which only semicolons end a command.
-std::string on_one_line(const std::string& script) {
-    std::string line;
-    for (const char c : script) line += c == '\n' ? std::string("; ") : std::string(1, c);
-    return line;
+/// The words that start gnuplot with a script. NOTE: each command is an argument, as one argument
+/// of all could be longer than Linux allows.
+std::vector<std::string> words_for(const std::string& script) {
+    std::vector<std::string> words{"gnuplot", "-d"};
+    std::istringstream commands(script);
+    for (std::string command; std::getline(commands, command);) {
+        if (command.empty()) continue;
+        words.emplace_back("-e");
+        words.push_back(command);
+    }
+    return words;
 }
 
 /// A text in which nothing is markup.
@@ -50,7 +59,7 @@ std::string gnuplot_svg(const std::string& script, int width, int height,
                     width, height);
     ChildResult drawn;
     try {
-        drawn = run_child({"gnuplot", "-d", "-e", on_one_line(terminal + script)}, directory);
+        drawn = run_child(words_for(terminal + script), directory);
     } catch (const EnvironmentError& error) {
         throw EnvironmentError(error.what(), help_on_gnuplot);
     }
@@ -67,6 +76,16 @@ std::string gnuplot_array(const std::string& name, const std::vector<double>& nu
     for (const double number : numbers)
         list += fmt::format("{}{:.6g}", list.empty() ? "" : ",", number);
     return fmt::format("array {}[{}] = [{}]\n", name, numbers.size(), list);
+}
+
+std::string gnuplot_ticks(double end, double most) {
+    constexpr double shortest = 1e-300, wide = 1e4;
+    const double length = std::abs(end);
+    if (length >= wide) most *= 2.0 / 3;
+    return "set xtics " +
+           (length < shortest ? "autofreq"
+                              : fmt::format("{:.1g}", distance_of_ticks(length, most))) +
+           "\n";
 }
 
 std::string gnuplot_quoted(const std::string& text) {

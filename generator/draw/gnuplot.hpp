@@ -21,6 +21,10 @@ namespace hvi::gen {
 [[nodiscard]] std::string gnuplot_array(const std::string& name,
                                         const std::vector<double>& numbers);
 
+/// Sets at most so many ticks of an axis of x from 0 to `end`, fewer where their numbers are large.
+/// NOTE: gnuplot's own numbers would overlap.
+[[nodiscard]] std::string gnuplot_ticks(double end, double most = 6);
+
 /// A text in single quotes, as scripts have it, in which nothing but a quote means something else.
 [[nodiscard]] std::string gnuplot_quoted(const std::string& text);
 

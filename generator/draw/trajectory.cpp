@@ -10,7 +10,6 @@
 #include "generator/draw/departures.hpp"
 #include "generator/draw/gnuplot.hpp"
 #include "generator/draw/lines.hpp"
-#include "generator/support/ticks.hpp"
 
 namespace hvi::gen {
 
@@ -40,16 +39,8 @@ std::string panel(const Panel& panel, const std::string& title) {
                        panel.y, panel.width, panel.height, gnuplot_label(title));
 }
 
-/// NOTE: gnuplot's own numbers would overlap where they are large.
-std::string ticks_until(double end) {
-    constexpr double most = 6, shortest = 1e-300;
-    const double length = std::abs(end);
-    return length < shortest ? "autofreq" : fmt::format("{:.1g}", distance_of_ticks(length, most));
-}
-
 std::string time_axis(double until) {
-    return time_label("t") +
-           fmt::format("set autoscale xfix\nunset ylabel\nset xtics {}\n", ticks_until(until));
+    return time_label("t") + gnuplot_ticks(until) + "set autoscale xfix\nunset ylabel\n";
 }
 
 /// The columns over time: the beginning of the run, where more would be a bar.
@@ -150,7 +141,7 @@ std::string value_of(const ShownIndex& index, const std::string& number) {
 Beside beside(const TrajectoryPicture& picture, const PlacesInTime& view) {
     constexpr double width = 0.55;
     return {width, palette,
-            image_axes("t", "i") + fmt::format("set xtics {}\n", ticks_until(picture.until)) +
+            image_axes("t", "i") + gnuplot_ticks(picture.until) +
                 panel({1 - width, 0, width, top}, view.name + "[i] over t") +
                 fmt::format("plot {} skip 1 matrix every 1:1:1:0:{}:{} using ($2*{:.17g}):{}:3 "
                             "with image\n",
@@ -162,10 +153,13 @@ Beside beside(const TrajectoryPicture& picture, const PlacesInTime& view) {
 /// table becomes; not of a row.
 Beside beside(const TrajectoryPicture& picture, const FieldAtEnds& view) {
     constexpr double width = 0.4;
+    constexpr double most_ticks = 3;  // below an image of a third of the width of the page
     const std::size_t fast = view.second.count;
+    const auto length =
+        static_cast<double>(view.first.count) * static_cast<double>(view.first.stride);
     Beside result{width, palette,
                   "set datafile separator whitespace\nset size ratio -1\n" + image_axes("i", "j") +
-                      "set xtics autofreq\n"};
+                      gnuplot_ticks(length, most_ticks)};
     for (const int row : {0, 1}) {
         result.before +=
             fmt::format("set table $field{0}\nplot {1} skip 1 matrix every 1:1:1:{0}:{2}:{0} using "

@@ -52,16 +52,17 @@ std::string number_markup(double value) {
 
 std::string table_of(const std::string& kind, const std::string& caption,
                      const std::vector<std::string>& heads) {
-    std::string text = fmt::format("<div class=\"scroll\"><table class=\"{}\">\n<caption>{}"
-                                   "</caption>\n<thead><tr>",
+    std::string text = fmt::format("<div class=\"scroll\"><table class=\"{}\">\n<caption>"
+                                   "<span>{}</span></caption>\n<thead><tr>",
                                    kind, escaped(caption));
     for (const std::string& head : heads) text += "<th>" + head + "</th>";
     return text + "</tr></thead>\n<tbody>\n";
 }
 
 std::string group_row(const std::string& text, std::size_t columns) {
-    return fmt::format("<tr class=\"first\"><th colspan=\"{}\" scope=\"rowgroup\">{}</th></tr>\n",
-                       columns, escaped(text));
+    return fmt::format(
+        "<tr class=\"first\"><th colspan=\"{}\" scope=\"rowgroup\"><span>{}</span></th></tr>\n",
+        columns, escaped(text));
 }
 
 std::string inlined(const std::string& svg, const std::string& title, const std::string& prefix) {

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "generator/draw/curves.hpp"
@@ -12,6 +13,8 @@ namespace hvi::gen {
 namespace {
 
 using Curve = CurvesPicture::Curve;
+
+constexpr std::size_t parts_shown = 100;
 
 /// NOTE: an orbit that got lost is as far away as one likes, and would hide the others.
 bool is_drawn(const WorkPoint& point) { return point.ok() && point.error > 0 && point.error < 10; }
@@ -45,7 +48,8 @@ void add_rings(CurvesPicture& picture, const SceneReport& scene) {
                 picture.curves[i].ringed.emplace_back(point.seconds, point.error);
 }
 
-/// Departures over time, of which `values` are some.
+/// Departures over time, of which `values` are some: the largest in each hundredth of the run, as a
+/// line through all of them would be a bar.
 CurvesPicture over_time(const SceneReport& scene, const std::string& what,
                         std::vector<double> Departures::*values) {
     CurvesPicture picture{
@@ -54,9 +58,13 @@ CurvesPicture over_time(const SceneReport& scene, const std::string& what,
         const Departures& departures = curve.departures;
         Curve drawn{fmt::format("{}, h = {:.3g}", curve.name, departures.h), {}, curve.is_peer};
         const std::vector<double>& all = departures.*values;
-        for (std::size_t i = 0; i < all.size(); ++i)
-            if (all[i] > 0 && std::isfinite(all[i]))
-                drawn.points.emplace_back(departures.times[i], all[i]);
+        for (std::size_t k = 0; k < parts_shown; ++k) {
+            const std::size_t end = (k + 1) * all.size() / parts_shown;
+            double largest = 0;
+            for (std::size_t i = k * all.size() / parts_shown; i < end; ++i)
+                if (std::isfinite(all[i])) largest = std::max(largest, all[i]);
+            if (largest > 0) drawn.points.emplace_back(departures.times[end - 1], largest);
+        }
         picture.curves.push_back(std::move(drawn));
     }
     return picture;

@@ -1,5 +1,6 @@
 // The page of a report, from measurements that are made up.
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <algorithm>
 #include <regex>
 #include <set>
 #include <string>
@@ -99,6 +100,45 @@ TEST_CASE("a summary of methods that win here and there") {
     CHECK(has(page_of(report), "On ring no method reaches an error of"));
     report.edges[0].checks[0].agrees = false;
     CHECK(has(page_of(report), "At the edges, 1 of 1 cases are not as expected."));
+}
+
+TEST_CASE("departures over time are the largest of each hundredth of a run") {
+    Report report = made_up();
+    WorkCurve swinging = curve("quick", 0.1);
+    swinging.departures = {0.1, {}, {}, {}, {}};
+    for (int k = 1; k <= 1000; ++k) {
+        swinging.departures.times.push_back(k);
+        swinging.departures.energy.push_back(k == 505 ? 1e-6 : k % 10 == 5 ? 1e-3 : 1e-9);
+    }
+    report.scenes[0].curves = {swinging};
+    const std::vector<Picture> pictures = report_pictures(report).of_scenes[0];
+    REQUIRE(pictures[2].name == "ring-3-energy");
+    // One path, which ends with a curve of 100 points. They are as high as each other but for one.
+    std::vector<std::string> curves;
+    for (const std::string& path : all_of(pictures[2].svg, "d='(M[^']*)'"))
+        if (all_of(path, "(,)").size() > 50) curves.push_back(path);
+    REQUIRE(curves.size() == 1);
+    const std::string drawn = curves[0].substr(curves[0].rfind('M'));
+    const std::vector<std::string> heights = all_of(drawn, ",([0-9.]+)");
+    REQUIRE(heights.size() == 100);
+    CHECK(std::count(heights.begin(), heights.end(), heights[0]) == 99);
+    CHECK(heights[50] != heights[0]);
+}
+
+TEST_CASE("a report has pictures of more methods than fit in one argument of gnuplot") {
+    Report report = made_up();
+    report.scenes[0].curves.clear();
+    for (int k = 0; k < 100; ++k) {
+        WorkCurve method = curve("method-" + std::to_string(k), 0.1);
+        for (int i = 3; i <= 500; ++i) {
+            method.departures.times.push_back(i + 1.0 / 3);
+            method.departures.energy.push_back(1e-3 / i);
+        }
+        report.scenes[0].curves.push_back(method);
+    }
+    const std::string svg = report_pictures(report).of_scenes[0][2].svg;
+    CHECK(has(svg, ">method-0, h = 0.1<"));
+    CHECK(has(svg, ">method-99, h = 0.1<"));
 }
 
 TEST_CASE("links of a report lead somewhere, and titles differ") {

@@ -61,7 +61,7 @@ struct Drawn {
 Drawn drawn_by_gnuplot(const std::string& scene) {
     const Directory directory;
     write(directory / "scene.toml", scene);
-    write(directory / "gnuplot", "#!/bin/sh\ncp -R . ../seen && echo \"$3\" > "
+    write(directory / "gnuplot", "#!/bin/sh\ncp -R . ../seen && echo \"$*\" > "
                                  "../script && echo '<svg></svg>'\n");
     std::filesystem::permissions(directory / "gnuplot", std::filesystem::perms::owner_all);
     const Outcome outcome =
