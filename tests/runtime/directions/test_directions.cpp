@@ -1,5 +1,7 @@
 // Directions that steps carry along, beside dual numbers that differentiate the same steps.
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <driver/dual.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,7 +12,6 @@
 #include <type_traits>
 #include <vector>
 
-#include <catch2/catch.hpp>
 #include <directions/composed_nonseparable.hpp>
 #include <directions/driven_midpoint.hpp>
 #include <directions/driven_pendulum.hpp>
@@ -53,7 +54,8 @@
 #include <directions/verlet_chain.hpp>
 #include <directions/verlet_comet.hpp>
 #include <directions/verlet_henon.hpp>
-#include <driver/dual.hpp>
+
+#include <catch2/catch.hpp>
 
 namespace {
 
