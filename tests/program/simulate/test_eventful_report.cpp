@@ -30,7 +30,7 @@ until = 5
 )toml";
 
 /// The ball falls for a time of 1, so that it is where it began, and at rest, at t = 4.
-constexpr const char* ball = R"toml(
+constexpr const char* bouncing = R"toml(
 coordinates = ["q"]
 momenta = ["p"]
 hamiltonian = "p^2/2 + q"
@@ -104,7 +104,7 @@ TEST_CASE("errors of steps in scaled time are those at a time") {
 TEST_CASE("errors of runs that jump") {
     use_cache();
     const Directory directory;
-    const json report = report_of(std::string(ball) + floor_of_ball,
+    const json report = report_of(std::string(bouncing) + floor_of_ball,
                                   {"--methods", "stormer-verlet, symplectic-euler", "--steps",
                                    "1/64, 1/128", "--only", "json,work"},
                                   directory);
@@ -122,13 +122,13 @@ TEST_CASE("errors of runs that jump") {
     // Beside the end that it should have.
     const std::string exact = "[exact]\nq = \"1/2 - (t - 4)^2/2\"\np = \"4 - t\"\n";
     const json beside =
-        report_of(std::string(ball) + floor_of_ball + exact,
+        report_of(std::string(bouncing) + floor_of_ball + exact,
                   {"--methods", "gauss:2", "--steps", "1/64", "--only", "json,work"}, directory);
     CHECK(error_at(beside, 0, 0) < 1e-13);
     // Without a floor it is 15/2 below the ground, at the speed of 4.
     const json falling =
-        report_of(ball + exact, {"--methods", "gauss:2", "--steps", "1/64", "--only", "json,work"},
-                  directory);
+        report_of(bouncing + exact,
+                  {"--methods", "gauss:2", "--steps", "1/64", "--only", "json,work"}, directory);
     CHECK(std::abs(error_at(falling, 0, 0) - std::hypot(8, 4) / 0.5) < 1e-9);
 }
 
@@ -161,7 +161,8 @@ TEST_CASE("reports that are not built for jumps and scaled time") {
         CHECK(result.err.find(message) != std::string::npos);
         CHECK(directory.names() == std::vector<std::string>{"scene.toml"});
     };
-    refused(std::string(ball) + floor_of_ball, "--peers", "are not built for scaled time, jumps");
+    refused(std::string(bouncing) + floor_of_ball, "--peers",
+            "are not built for scaled time, jumps");
     refused(scaled_oscillator, "--peers", "are not built for scaled time, jumps");
     refused(R"toml(
 coordinates = ["q[1..3]"]
@@ -187,8 +188,8 @@ TEST_CASE("no method is found for an accuracy of runs that jump, end at kinks, o
             CHECK(result.err.find(message) != std::string::npos);
         }
     };
-    refused(std::string(ball) + floor_of_ball, "--accuracy is not built for events that jump");
-    refused(std::string(ball) + "[time]\nkinks = \"events\"\n",
+    refused(std::string(bouncing) + floor_of_ball, "--accuracy is not built for events that jump");
+    refused(std::string(bouncing) + "[time]\nkinks = \"events\"\n",
             "--accuracy is not built for kinks that end steps");
     refused(scaled_oscillator, "--accuracy is not built for scenes with a scale of the time");
 }
