@@ -46,11 +46,13 @@ void check_steps(const Scene& scene, std::string_view what) {
                              event.place);
 }
 
-/// Throws InputError where there would be a stepper for each of too many directions.
-void check_count_of_directions(const Scene& scene, const RunOptions& options) {
+/// Directions that go along at once. Throws InputError where there would be a stepper for each of
+/// too many.
+std::size_t count_of_directions(const Scene& scene, const RunOptions& options) {
     const bool takes_all = options.tangent || options.lyapunov == Exponents::spectrum;
     const std::size_t degrees = degrees_of_freedom(scene);
-    if (!takes_all || degrees <= most_degrees_of_freedom) return;
+    if (!takes_all) return options.sali ? 2 : 1;
+    if (degrees <= most_degrees_of_freedom) return 2 * degrees;
     throw InputError(
         fmt::format("{} takes two directions for each degree of freedom, of which there are {}; "
                     "it is built for at most {}",
@@ -206,12 +208,12 @@ Monitors wished_monitors(const MethodAndScene& both, const SceneStepper& stepper
     if (result.tangents.any()) {
         const std::string_view what = wish_for_directions(options);
         check_steps(both.scene, what);
-        check_count_of_directions(both.scene, options);
+        const std::size_t count = count_of_directions(both.scene, options);
         // NOTE: what carries directions along is compiled, as all that has rotations is.
         result.tangent =
             runner.interprets() && both.scene.rotations.texts.empty()
                 ? tangent_stepper(both.method, both.scene, wishes, what)
-                : stepper_of_directions(stepper, both.method, both.scene, wishes, what);
+                : stepper_of_directions(stepper, both.method, both.scene, wishes, what, count);
         if (both.scene.scale) result.motion = motion_of_scaled_time(both.scene, stepper, what);
     }
     if (options.sensitivity) {

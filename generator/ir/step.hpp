@@ -256,7 +256,6 @@ struct StageCorrections {
 enum class Carries {
     nothing,
     directions,  ///< any number of them, by its derivative, with the stages of (q, p)
-    duals,       ///< these, as parts of the dual numbers that it is computed in
 };
 
 /// A choice, and why.
@@ -299,6 +298,9 @@ struct Step {
     /// How many values dH/dp takes from the dH/dq before it, of stages in lanes.
     std::size_t shared_slopes = 0;
     Carries carries = Carries::nothing;
+    /// Derivatives beside each number, where steps are computed in dual numbers, which carry as
+    /// many directions along; else 0.
+    std::size_t dual_parts = 0;
     std::vector<Decision> decisions;
 
     [[nodiscard]] bool is_separable() const { return slopes == Slopes::of_parts; }

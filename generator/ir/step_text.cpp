@@ -249,7 +249,9 @@ std::string dump(const Step& step) {
         result += fmt::format("shared slopes: {}\n", step.shared_slopes);
     }
     if (step.carries == Carries::directions) { result += "carries: directions\n"; }
-    if (step.carries == Carries::duals) { result += "carries: parts of dual numbers\n"; }
+    if (step.dual_parts > 0) {
+        result += fmt::format("numbers: dual, with {} parts\n", step.dual_parts);
+    }
     if (step.corrections) {
         const SolverCosts& costs = step.corrections->costs;
         result += lines(step.corrections->modes) +

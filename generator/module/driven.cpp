@@ -89,14 +89,13 @@ struct NumbersOfModule {
     std::string stepper;  ///< its class
 };
 
-/// NOTE: six parts are all directions of one body.
 NumbersOfModule numbers_of(const SceneStepper& stepper) {
-    constexpr int parts = 6;
-    if (stepper.step.carries != Carries::duals) {
+    if (stepper.step.dual_parts == 0) {
         return {"", "hvi/detail/module/driven.hpp", stepper.class_name};
     }
-    return {"#include <driver/dual.hpp>", "driver/carried_in_duals.hpp",
-            fmt::format("Basic{}<hvi::driver::Dual<{}>>", stepper.class_name, parts)};
+    return {
+        "#include <driver/dual.hpp>", "driver/carried_in_duals.hpp",
+        fmt::format("Basic{}<hvi::driver::Dual<{}>>", stepper.class_name, stepper.step.dual_parts)};
 }
 
 }  // namespace
@@ -124,15 +123,16 @@ DrivenModule driven_module(const SceneStepper& stepper) {
         holes.emplace("driven", numbers.driven);
         return fill("driven.cpp.in", holes);
     };
-    if (!has_seldom_solvers(stepper.step) || stepper.step.carries == Carries::duals) {
+    if (!has_seldom_solvers(stepper.step)) {
         module.source = source(SeldomSolvers::within);
         return module;
     }
     module.source = source(SeldomSolvers::apart);
     module.solvers =
         fill("solvers.cpp.in", {{"skip", skip},
+                                {"numbers", numbers.include},
                                 {"stepper", class_text(stepper, system, SeldomSolvers::alone)},
-                                {"class", stepper.class_name}});
+                                {"class", numbers.stepper}});
     return module;
 }
 

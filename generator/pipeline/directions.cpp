@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "generator/emit/steps/tangent.hpp"
 #include "generator/exact/methods/composed_method.hpp"
 #include "generator/pipeline/passes.hpp"
@@ -60,9 +62,12 @@ void carry_directions(SceneStepper& stepper) {
     stepper.evaluations->directions = direction_kernels(stepper.system);
 }
 
-/// A stepper whose steps are to be computed in dual numbers, as those of rotations are.
+/// A stepper whose steps are to be computed in dual numbers, as those of rotations are. NOTE: six
+/// directions take four times as long as one, and eight more than six and two, as they do not stay
+/// in registers.
 SceneStepper stepper_in_duals(const SceneStepper& stepper, const Method& method, const Scene& scene,
-                              StepperWishes wishes, std::string_view what) {
+                              StepperWishes wishes, std::string_view what, std::size_t count) {
+    constexpr std::size_t most_parts = 6;
     check_own_functions(scene, what);
     if (stepper.step.container != Container::arrays)
         throw InputError(
@@ -72,7 +77,7 @@ SceneStepper stepper_in_duals(const SceneStepper& stepper, const Method& method,
                         most_degrees_of_freedom));
     wishes.float128 = true;
     SceneStepper result = scene_stepper(method, scene, wishes);
-    result.step.carries = Carries::duals;
+    result.step.dual_parts = std::min(count, most_parts);
     return result;
 }
 
@@ -104,9 +109,9 @@ void add_directions(SceneStepper& stepper, const Method& method, const Scene& sc
 
 SceneStepper stepper_of_directions(const SceneStepper& stepper, const Method& method,
                                    const Scene& scene, const StepperWishes& wishes,
-                                   std::string_view what) {
+                                   std::string_view what, std::size_t count) {
     if (!scene.rotations.texts.empty())
-        return stepper_in_duals(stepper, method, scene, wishes, what);
+        return stepper_in_duals(stepper, method, scene, wishes, what, count);
     if (!carries_along(stepper, wishes))
         return tangent_stepper(method, scene, wishes, what);
     check_motion(scene, what);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <string_view>
 
 #include "generator/pipeline/stepper.hpp"
@@ -15,10 +16,10 @@ void add_directions(SceneStepper& stepper, const Method& method, const Scene& sc
 
 /// A stepper for the directions of a run, whose steps carry them along, or that of
 /// tangent_stepper(). Throws as that does; of rotations, which are carried in dual numbers, for
-/// functions of the user's own and sums that stay loops. Precondition: `stepper` is of these
-/// arguments.
+/// functions of the user's own and sums that stay loops. `count`: as many go along at once.
+/// Precondition: `stepper` is of these arguments.
 [[nodiscard]] SceneStepper stepper_of_directions(const SceneStepper& stepper, const Method& method,
                                                  const Scene& scene, const StepperWishes& wishes,
-                                                 std::string_view what);
+                                                 std::string_view what, std::size_t count);
 
 }  // namespace hvi::gen

@@ -226,7 +226,7 @@ private:
         if (evaluations_ != nullptr) {
             if (!evaluations_->inverse_mass) { return; }
             const Kernel& kernel = *evaluations_->inverse_mass;
-            if (step_.has_lanes() || step_.carries != Carries::directions) {
+            if (step_.has_lanes() || step_.carries == Carries::nothing) {
                 list_.add_slope("inverse_mass", {false, true}, kernel);
             } else {
                 add_of_any("inverse_mass", {false, true},
@@ -323,7 +323,7 @@ private:
 
     /// d2H along directions: of the slopes that a step evaluates.
     void add_directions() {
-        if (step_.carries != Carries::directions) { return; }
+        if (step_.carries == Carries::nothing) { return; }
         const DirectionKernels& all = *evaluations_->directions;
         const NodeNames dq = named(all.dq, "dq"), dp = named(all.dp, "dp");
         const std::vector<std::string> out = components("out", all.dq.size());
