@@ -31,7 +31,10 @@ struct Apart {
     void inverse_mass(const In& p, Out& out) const {
         for (std::size_t k = 0; k < 2; ++k) { out[k] = K[k] * p[k]; }
     }
-    void dHdp(const Two& p, Two& out) const { inverse_mass(p, out); }
+    template <class In, class Out>
+    void dHdp(const In& p, Out& out) const {
+        inverse_mass(p, out);
+    }
 };
 
 /// Positions are moved by sums of momenta, and by a constant velocity.
