@@ -47,7 +47,7 @@
 
 namespace hvi::generated {
 
-static_assert(hvi::supports_format(13),
+static_assert(hvi::supports_format(14),
               "this header is for another version of hvi: write it again with hvi-gen");
 
 /// The scene quartic with gauss:2, computed in Number: float, double or long double. States hold
@@ -70,11 +70,17 @@ public:
     };
 
     /// H = p^2/2+p^4/8-cos(q), where q is (q) and p is (p).
-    struct System {
+    template <class Constant>
+    struct SystemOf {
         using Vector = Numbers;
 
-        constexpr explicit System([[maybe_unused]] const Parameters& parameters) {
+        constexpr explicit SystemOf([[maybe_unused]] const Parameters& parameters) {
         }
+
+        SystemOf() = default;
+
+        /// Gives a lane the constants of one trajectory.
+        constexpr void set(std::size_t, const SystemOf<Scalar>&) {}
 
         template <class Values, class Value = hvi::detail::ScalarOf<Values>>
         constexpr void dHdq(const Values& q, Values& out) const {
@@ -92,12 +98,25 @@ public:
             p[0] = Scalar(0.25);
         }
     };
+    using System = SystemOf<Scalar>;
+    using LaneSystem = SystemOf<hvi::detail::TrajectoryRow<Scalar>>;
 
     using Trajectory = hvi::State<Vector>;
     using State = hvi::Trajectories<Vector, hvi::detail::RemaindersCarried>;
 
     BasicGauss2Quartics() : BasicGauss2Quartics(Parameters{}) {}
-    explicit BasicGauss2Quartics(const Parameters& parameters) : system_(parameters) {}
+    explicit BasicGauss2Quartics(const Parameters& parameters) : one_(parameters) {
+        for (std::size_t lane = 0; lane < hvi::trajectories_at_once; ++lane) {
+            system_.set(lane, one_);
+        }
+    }
+
+    /// Gives the trajectory in a lane other parameters. Members that take one trajectory
+    /// keep those of the constructor.
+    void set_parameters(std::size_t lane, const Parameters& parameters) {
+        system_.set(lane, System(parameters));
+        reset();
+    }
 
     /// Where the scene begins.
     [[nodiscard]] static constexpr Trajectory initial(const Parameters& parameters) {
@@ -168,7 +187,7 @@ private:
 
     /// The stage equations of Q_1, Q_2, P_1, P_2, which are solved at once.
     struct Coupled {
-        const System& system;
+        const LaneSystem& system;
         hvi::detail::PairTrajectories<Vector, 2>& s;
 
         static constexpr bool separable = true;
@@ -186,7 +205,8 @@ private:
         }
     };
 
-    System system_;
+    System one_;
+    LaneSystem system_;
     hvi::detail::PairTrajectories<Vector, 2> s_;
     hvi::detail::LaneSweeps<Scalar, hvi::detail::fixed_size<Vector>()> solver_;
 };
