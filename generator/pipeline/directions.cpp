@@ -112,8 +112,7 @@ SceneStepper stepper_of_directions(const SceneStepper& stepper, const Method& me
                                    std::string_view what, std::size_t count) {
     if (!scene.rotations.texts.empty())
         return stepper_in_duals(stepper, method, scene, wishes, what, count);
-    if (!carries_along(stepper, wishes))
-        return tangent_stepper(method, scene, wishes, what);
+    if (!carries_along(stepper, wishes)) return tangent_stepper(method, scene, wishes, what);
     check_motion(scene, what);
     SceneStepper result = stepper;
     carry_directions(result);

@@ -24,15 +24,15 @@ void check_motion(const Scene& scene, std::string_view what);
 
 /// A stepper of the scene's motion and of its derivative by a parameter: see with_sensitivity().
 /// Of scaled time both have a time and its momentum, which begins as -H and its derivative. Throws
-/// as tangent_stepper() does, and for scaled time where sums stay loops. Precondition: the scene has
-/// the parameter, and a program can change it.
+/// as tangent_stepper() does, and for scaled time where sums stay loops. Precondition: the scene
+/// has the parameter, and a program can change it.
 [[nodiscard]] SceneStepper sensitivity_stepper(const Method& method, const Scene& scene,
                                                const StepperWishes& wishes,
                                                const std::string& parameter, std::string_view what);
 
 /// A stepper of the scene's motion whose steps tell the modified Hamiltonian of the method: see
-/// with_homogeneous_extension(). Throws InputError as tangent_stepper() does, and for scaled time, a
-/// Lagrangian, sums that stay loops, and methods with more nodes than functions. Precondition: H
+/// with_homogeneous_extension(). Throws InputError as tangent_stepper() does, and for scaled time,
+/// a Lagrangian, sums that stay loops, and methods with more nodes than functions. Precondition: H
 /// does not depend on the time.
 [[nodiscard]] SceneStepper shadow_stepper(const Method& method, const Scene& scene,
                                           const StepperWishes& wishes, std::string_view what);
