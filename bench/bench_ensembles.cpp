@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // On one thread, the same starts and steps. Before anything is timed, both end in the same states.
+// And ensembles with parameters of their own against those that share them.
 
 #include <benchmark/benchmark.h>
 
@@ -16,10 +17,12 @@
 #include "ensemble/blanes_moan_henon_heiles.hpp"
 #include "ensemble/blanes_moan_pendulum.hpp"
 #include "ensemble/gauss_4_henon_heiles.hpp"
+#include "ensemble/gauss_4_kepler.hpp"
 #include "ensemble/gauss_4_pendulum.hpp"
 #include "ensemble/gauss_8_henon_heiles.hpp"
 #include "ensemble/gauss_8_pendulum.hpp"
 #include "ensemble/kahan_li_henon_heiles.hpp"
+#include "ensemble/kahan_li_kepler.hpp"
 #include "ensemble/kahan_li_pendulum.hpp"
 #include "ensemble/one/blanes_moan_henon_heiles.hpp"
 #include "ensemble/one/blanes_moan_pendulum.hpp"
@@ -108,9 +111,38 @@ bool agree(const std::string& name, double h) {
     return ok;
 }
 
+/// Times planets, each around a sun of its own mass, and planets around equal suns.
+template <class Many>
+void add_parameters(const std::string& name, double step_size) {
+    std::vector<typename Many::Parameters> suns(size);
+    std::vector<typename Many::Trajectory> from;
+    for (std::size_t i = 0; i < size; ++i) {
+        suns[i].mu += 1e-9 * static_cast<double>(i);
+        from.push_back(Many::initial(suns[i]));
+    }
+    const auto time = [=](const std::string& which, auto ensemble_of) {
+        benchmark::RegisterBenchmark((name + which).c_str(), [=](benchmark::State& state) {
+            volatile double h = step_size;
+            for (auto _ : state) {
+                auto ensemble = ensemble_of();
+                ensemble.advance(h, steps, 1);
+                if (!ensemble.ok()) { state.SkipWithError("a step failed"); }
+            }
+        });
+    };
+    time("_own", [=] { return hvi::Ensemble<Many>(from, suns); });
+    time("_shared", [=] { return hvi::Ensemble<Many>(from); });
+}
+
 struct Comparison {
     std::vector<bench::Ratio> ratios;
     bool all_agree = true;
+
+    template <class Many>
+    void add_own(const std::string& name, double h) {
+        add_parameters<Many>(name, h);
+        ratios.push_back({name + "_own", name + "_shared", "at most 1.1"});
+    }
 
     template <class One, class Many>
     void add(const std::string& name, double h, const char* wanted) {
@@ -137,5 +169,7 @@ int main(int argc, char** argv) {
     all.add<Gauss4HenonHeiles, Gauss4HenonHeileses>("gauss_4_henon_heiles", 0.1, had_lanes);
     all.add<Gauss8Pendulum, Gauss8Pendulums>("gauss_8_pendulum", 0.2, had_lanes);
     all.add<Gauss8HenonHeiles, Gauss8HenonHeileses>("gauss_8_henon_heiles", 0.2, had_lanes);
+    all.add_own<KahanLiKeplers>("kahan_li_kepler", 0.02);
+    all.add_own<Gauss4Keplers>("gauss_4_kepler", 0.02);
     return all.all_agree ? bench::time_all(argc, argv, all.ratios) : 1;
 }
