@@ -31,6 +31,7 @@ EventRow::EventRow(const LoweredEvents& events) : slots_(events.graph), time_(ev
         Solving{code(equations), slots_of(lowered.velocities, slots_),
                 slots_of(lowered.weights, slots_), detail::SquareMatrix<double>(events.degrees)});
     solving.found.resize(events.degrees);
+    solving.weighed.resize(lowered.weights.size());
 }
 
 void EventRow::set(const std::vector<SystemParameter>& parameters,
@@ -103,9 +104,8 @@ void EventRow::weigh(const EventCode& by_velocities, const State& x, double t) {
     solve(x, t);
     run(by_velocities, x, t);
     Solving& solving = *solving_;
-    std::vector<double> weights;
-    for (std::size_t k = 0; k < solving.weights.size(); ++k)
-        weights.push_back(result(by_velocities, k));
+    std::vector<double>& weights = solving.weighed;
+    for (std::size_t k = 0; k < weights.size(); ++k) weights[k] = result(by_velocities, k);
     if (solving.is_regular) solving.factors.solve(weights.data());
     for (std::size_t k = 0; k < weights.size(); ++k) numbers_[solving.weights[k]] = weights[k];
 }

@@ -55,7 +55,7 @@ public:
     [[nodiscard]] double constant(const EventCode& code);
 
 private:
-    /// What the velocities of a state are solved from, and the last solution.
+    /// Equations that the velocities of a state solve, and the last solution.
     struct Solving {
         EventCode equations;  ///< dL/dv at rest, and M
         std::vector<Slot> velocities, weights;
@@ -64,7 +64,7 @@ private:
         bool is_regular = false;
         State at = {};
         double t = 0;
-        std::vector<double> found = {};
+        std::vector<double> found = {}, weighed = {};
     };
 
     void put(const EventCode& code, const State& x, double t);

@@ -82,7 +82,7 @@ std::string skipped(const SceneStepper& stepper) {
     return stepper.own_headers.empty() ? "#define _GLIBCXX_BITS_SPECFUN_H 1" : "";
 }
 
-/// What a module is made of by the numbers in which its steps are computed.
+/// Parts of a module's text that depend on the numbers in which its steps are computed.
 struct NumbersOfModule {
     std::string include;  ///< before the header of the stepper
     std::string driven;   ///< the header with the functions of the module

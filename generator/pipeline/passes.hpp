@@ -22,8 +22,8 @@ void check_motion(const Scene& scene, std::string_view what);
 [[nodiscard]] SceneStepper tangent_stepper(const Method& method, const Scene& scene,
                                            const StepperWishes& wishes, std::string_view what);
 
-/// A stepper of the scene's motion and of its derivative by a parameter: see with_sensitivity().
-/// Of scaled time both have a time and its momentum, which begins as -H and its derivative. Throws
+/// A stepper of the scene's motion and of its derivative by a parameter: see with_sensitivity(). In
+/// scaled time both have a time and its momentum, which begins as -H and its derivative. Throws
 /// as tangent_stepper() does, and for scaled time where sums stay loops. Precondition: the scene
 /// has the parameter, and a program can change it.
 [[nodiscard]] SceneStepper sensitivity_stepper(const Method& method, const Scene& scene,

@@ -79,7 +79,7 @@ TEST_CASE("few swings are a line") {
     CHECK(panel.script.find("filledcurves") == std::string::npos);
     CHECK(panel.script.find("shaded") == std::string::npos);
     CHECK(panel.script.find("with lines linestyle 1") != std::string::npos);
-    // Of 99 turns 80 are shown in some 4000 rows of 5000: parts of eight turns are 400 rows.
+    // Some 4000 of 5000 rows show 80 of 99 turns: parts of eight turns are 400 rows.
     const DeparturesPanel more = panel_of(5000, swinging);
     const auto most = array_of(more.script, "most0");
     CHECK(most.size() == 12);

@@ -3,10 +3,13 @@
 #pragma once
 
 #include <cmath>
+#include <cstddef>
 #include <filesystem>
 #include <sstream>
 #include <string>
 #include <vector>
+
+#include <catch2/catch.hpp>
 
 #include "tests/program/cli/program.hpp"
 #include "tests/program/simulate/cache.hpp"
@@ -15,6 +18,20 @@
 namespace hvi::test {
 
 inline const double pi = std::acos(-1.0);
+
+using NumberRows = std::vector<std::vector<double>>;
+
+/// Checks that rows of numbers are others, up to a difference.
+inline void check_rows(const NumberRows& found, const NumberRows& expected, double tolerance) {
+    REQUIRE(found.size() == expected.size());
+    for (std::size_t row = 0; row < found.size(); ++row) {
+        REQUIRE(found[row].size() == expected[row].size());
+        for (std::size_t k = 0; k < found[row].size(); ++k) {
+            CAPTURE(row, k, found[row][k], expected[row][k]);
+            CHECK(std::abs(found[row][k] - expected[row][k]) < tolerance);
+        }
+    }
+}
 
 struct SceneRun {
     Outcome outcome;

@@ -113,8 +113,8 @@ TEST_CASE("run --accuracy goes through jumps and from kink to kink") {
     check_run(swing_of_one + "[events.wall]\nzero = \"q\"\ndirection = \"down\"\n"
                              "set = {p = \"-p/2\"}\n",
               "1e-6", {std::cos(5) / 4, -std::sin(5) / 4});
-    // Of q'' = -q - sign(q), from q = 3: 4 cos(t) - 1 until cos(t) = 1/4, and then 1 + a cos + b
-    // sin.
+    // The solution of q'' = -q - sign(q) from q = 3 is 4 cos(t) - 1 until cos(t) = 1/4, and then
+    // 1 + a cos(t) + b sin(t).
     const double t = std::acos(0.25), p = -4 * std::sin(t), left = 2.5 - t;
     check_run("hamiltonian = \"(p^2 + q^2)/2 + abs(q)\"\ncoordinates = [\"q\"]\nmomenta = [\"p\"]\n"
               "initial = {q = 3, p = 0}\nrun = {step = \"1/10\", until = \"5/2\"}\n"

@@ -18,8 +18,8 @@ std::string in_scaled_time(const std::string& scene, const std::string& scale) {
 }
 
 /// The derivatives by the parameters, in the order of the table.
-std::vector<std::vector<double>> derivatives_in(const SceneRun& run) {
-    std::vector<std::vector<double>> result;
+NumberRows derivatives_in(const SceneRun& run) {
+    NumberRows result;
     for (std::size_t k = 1; k < run.sensitivity.size(); ++k) {
         const std::string& line = run.sensitivity[k];
         result.push_back(numbers_of(line.substr(line.find(',') + 1)));
@@ -27,19 +27,10 @@ std::vector<std::vector<double>> derivatives_in(const SceneRun& run) {
     return result;
 }
 
-void check_derivatives(const SceneRun& run, const std::vector<std::vector<double>>& expected,
-                       double tolerance) {
+void check_derivatives(const SceneRun& run, const NumberRows& expected, double tolerance) {
     INFO(run.outcome.err);
     REQUIRE(run.outcome.status == 0);
-    const std::vector<std::vector<double>> found = derivatives_in(run);
-    REQUIRE(found.size() == expected.size());
-    for (std::size_t i = 0; i < found.size(); ++i) {
-        REQUIRE(found[i].size() == expected[i].size());
-        for (std::size_t k = 0; k < found[i].size(); ++k) {
-            CAPTURE(i, k, found[i][k], expected[i][k]);
-            CHECK(std::abs(found[i][k] - expected[i][k]) < tolerance);
-        }
-    }
+    check_rows(derivatives_in(run), expected, tolerance);
 }
 
 /// The parameter k stands in scales alone.
@@ -62,7 +53,7 @@ const std::string parameter_planet =
 TEST_CASE("derivatives by parameters at a time are those of the oscillator, whatever its steps") {
     // q = a^2 cos(w t), p = -a^2 w sin(w t)
     const double w = 1.5, a = 2, c = std::cos(w), s = std::sin(w);
-    const std::vector<std::vector<double>> expected{
+    const NumberRows expected{
         {-a * a * s, -a * a * (s + w * c)}, {2 * a * c, -2 * a * w * s}, {0, 0}};
     const auto found = [](const std::string& scale, const std::string& how) {
         return run_scene(in_scaled_time(parameter_spring, scale), "--sensitivity " + how);
@@ -91,10 +82,9 @@ TEST_CASE("derivatives by parameters in scaled time where H depends on the time"
 }
 
 TEST_CASE("derivatives by the mass of a star and the eccentricity, after a revolution") {
-    // Of the mass mu all goes faster by sqrt(mu), and the period does not depend on ecc.
+    // A mass mu makes all faster by sqrt(mu), and the period does not depend on ecc.
     const double e = 0.5, x = 1 - e, v = std::sqrt((1 + e) / (1 - e));
-    const std::vector<std::vector<double>> expected{{0, pi * v, -pi / (x * x), v / 2},
-                                                    {-1, 0, 0, 1 / (x * x * v)}};
+    const NumberRows expected{{0, pi * v, -pi / (x * x), v / 2}, {-1, 0, 0, 1 / (x * x * v)}};
     const std::string names = "--sensitivity 'mu, ecc' --interpret";
     for (const std::string scale : {"distance", "potential", "logarithmic"}) {
         CAPTURE(scale);

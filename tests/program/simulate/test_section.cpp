@@ -20,15 +20,13 @@ std::string scene_with_end(const std::string& H, const std::string& start, const
            "[events.end]\nstop = 1\n" + event;
 }
 
-using Rows = std::vector<std::vector<double>>;
-
 /// The rows of section.csv, which are named so.
-Rows section_of(const SceneRun& run, const std::vector<std::string>& names) {
+NumberRows section_of(const SceneRun& run, const std::vector<std::string>& names) {
     INFO(run.outcome.err);
     REQUIRE(run.outcome.status == 0);
     REQUIRE(run.section.size() == names.size() + 1);
     std::string head = "of";
-    Rows rows;
+    NumberRows rows;
     for (std::size_t k = 0; k < names.size(); ++k) {
         const std::string& line = run.section[k + 1];
         CHECK(line.substr(0, line.find(',')) == names[k]);
@@ -37,17 +35,6 @@ Rows section_of(const SceneRun& run, const std::vector<std::string>& names) {
     }
     CHECK(run.section.front() == head);
     return rows;
-}
-
-void check_rows(const Rows& found, const Rows& expected, double tolerance) {
-    REQUIRE(found.size() == expected.size());
-    for (std::size_t row = 0; row < found.size(); ++row) {
-        REQUIRE(found[row].size() == expected[row].size());
-        for (std::size_t k = 0; k < found[row].size(); ++k) {
-            CAPTURE(row, k, found[row][k], expected[row][k]);
-            CHECK(std::abs(found[row][k] - expected[row][k]) < tolerance);
-        }
-    }
 }
 
 /// A star in a galaxy; the start is moved by parameters.
@@ -189,7 +176,7 @@ TEST_CASE("a section where sums stay loops is that where they are written out") 
 TEST_CASE("derivatives at an event are those of runs from starts nearby") {
     const std::string event = "[events.plane]\nzero = \"x + y^2/3 + px/5\"\nstop = 3\n";
     const SceneRun found = run_scene(star_of_sections + event, "--tangent");
-    const Rows section = section_of(found, {"t", "x", "y", "px", "py"});
+    const NumberRows section = section_of(found, {"t", "x", "y", "px", "py"});
     for (std::size_t k = 0; k < 4; ++k) {
         const std::string name(1, static_cast<char>('a' + k));
         const auto end = [&](const std::string& value) {

@@ -85,7 +85,7 @@ Matrix forward(const Course<Stepper>& course) {
     return result;
 }
 
-/// The same by rows backward.
+/// Returns that matrix by its rows, which covectors pulled back give.
 template <class Stepper>
 Matrix backward(const Course<Stepper>& course) {
     using State = typename Stepper::State;
