@@ -92,7 +92,7 @@ TEST_CASE("an interrupted run keeps its table, and goes on where it was") {
     const Broken broken("--every 50");
     const std::string start =
         "out=out; eval \"exec $run --checkpoint-every 1000 --checkpoint run.hvi "
-        "--until 500000\" & pid=$!; "
+        "--until 50000000\" & pid=$!; "
         "for k in $(seq 600); do [ -s run.hvi ] && break; sleep 0.05; done; ";
     const Outcome stopped = broken(start + "kill -TERM $pid; wait $pid");
     INFO(stopped.err);
@@ -111,13 +111,14 @@ TEST_CASE("an interrupted run keeps its table, and goes on where it was") {
 }
 
 TEST_CASE("SIGUSR1 asks for a checkpoint, and the run goes on") {
-    const Broken broken("--every 50 --checkpoint run.hvi --until 100000");
+    const Broken broken("--every 5000 --checkpoint run.hvi --until 50000000");
     const Outcome outcome = broken(
-        "out=out; eval \"exec $run\" & pid=$!; for k in $(seq 600); do "
-        "[ -s out/trajectory.csv.partial ] && break; sleep 0.05; done; kill -USR1 $pid; wait $pid");
+        "wait_for() { for k in $(seq 600); do [ -s $1 ] && break; sleep 0.05; done; }\n"
+        "out=out; eval \"exec $run\" & pid=$!; wait_for out/trajectory.csv.partial; "
+        "kill -USR1 $pid; wait_for run.hvi; cp run.hvi saved.hvi; kill -TERM $pid; wait $pid");
     INFO(outcome.err);
-    CHECK(outcome.status == 0);
-    CHECK(broken.file("run.hvi").find("hvi checkpoint 1\n") == 0);
+    CHECK(outcome.status == 130);
+    CHECK(broken.file("saved.hvi").find("hvi checkpoint 1\n") == 0);
 }
 
 TEST_CASE("checkpoints of other runs, and what is none, are refused") {
