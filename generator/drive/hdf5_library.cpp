@@ -13,7 +13,7 @@ namespace {
 
 [[noreturn]] void refuse_hdf5(const std::string& why) {
     throw EnvironmentError("a table in HDF5 needs " HVI_HDF5_LIBRARY ", " + why,
-                           "`apt-get install libhdf5-103-1` installs it; or --format npy");
+                           "`apt-get install libhdf5-103-1` installs it; CSV and NPY need nothing");
 }
 
 void* loaded_hdf5() {

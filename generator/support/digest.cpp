@@ -3,18 +3,25 @@
 
 #include <charconv>
 #include <cstddef>
-#include <cstdint>
 
 namespace hvi::gen {
 
-std::string digest(std::string_view text) {
-    std::uint64_t value = 0xcbf29ce484222325U;
-    for (const char c : text) value = (value ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
+void Digest::add(std::string_view part) {
+    for (const char c : part) value_ = (value_ ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
+}
+
+std::string Digest::text() const {
     constexpr std::size_t digits = 16;
     char buffer[digits];
-    const auto result = std::to_chars(buffer, buffer + digits, value, 16);
+    const auto result = std::to_chars(buffer, buffer + digits, value_, 16);
     const std::string written(buffer, result.ptr);
     return std::string(digits - written.size(), '0') + written;
+}
+
+std::string digest(std::string_view text) {
+    Digest all;
+    all.add(text);
+    return all.text();
 }
 
 }  // namespace hvi::gen

@@ -17,6 +17,7 @@ void parameter(std::string_view bytes);
 void method_file(std::string_view bytes);
 void coefficients(std::string_view bytes);
 void scene(std::string_view bytes);
+void rows(std::string_view bytes);         ///< of numbers, in a file
 void hamiltonian(std::string_view bytes);  ///< H, coordinates and momenta, each on a line
 
 // Targets of the whole program. The input has the words of a command line, each on a line of its

@@ -77,6 +77,7 @@ TEST_CASE("lists") { replay("list", fuzz::list); }
 TEST_CASE("names") { replay("name", fuzz::name); }
 TEST_CASE("parameters") { replay("parameter", fuzz::parameter); }
 TEST_CASE("method files") { replay("method_file", fuzz::method_file); }
+TEST_CASE("rows of numbers") { replay("rows", fuzz::rows); }
 TEST_CASE("scenes") { replay("scene", fuzz::scene); }
 TEST_CASE("coefficients") { replay("coefficients", fuzz::coefficients); }
 TEST_CASE("Hamiltonians") { replay("hamiltonian", fuzz::hamiltonian); }

@@ -138,10 +138,24 @@ TEST_CASE("what is wrong with an NPY file is said") {
     CHECK(says(npy("<f8", "(2, 2)", doubles, "True")).find("in a format") != std::string::npos);
     CHECK(says(npy("<f8", "(4,)", doubles.substr(8) + little_endian(0x7ff0000000000000, 8))) ==
           "a.npy: `inf` is not a finite number");
+    CHECK(says(npy("<f8", "(0,)", "")) == "a.npy: the array is empty");
+    CHECK(says(npy("<f8", "(4,)", doubles, "Fals")).find("in a format") != std::string::npos);
+    CHECK(says(npy("<f8', 'more': '", "(4,)", doubles)).find("no NPY file") != std::string::npos);
     for (const std::size_t length : {6U, 9U, 11U, 40U})
         CHECK(says(good.substr(0, length)).find("no NPY file") != std::string::npos);
     for (std::size_t length = 6; length < good.size(); ++length)
         CHECK(says(good.substr(0, length)) != "");
+}
+
+TEST_CASE("an NPY file with names of columns is not the values of one name") {
+    const Files files;
+    const std::string head = "{'descr': [('x', '<f8'), ('y', '<f8')], 'fortran_order': False, "
+                             "'shape': (2,), }\n";
+    files.write("a.npy", "\x93NUMPY\x01" + std::string(1, '\0') + little_endian(head.size(), 2) +
+                             head + doubles);
+    const Refusal error = files.refused(all_of_npy);
+    CHECK(error.what == "a.npy: this array has columns");
+    CHECK(error.helps("x['NAME']"));
 }
 
 namespace {
