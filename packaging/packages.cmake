@@ -15,6 +15,7 @@ as a whole is GPL-3.0-or-later. First what Debian says of each library, then the
     file(GLOB library_of_cxx RELATIVE /usr/share/doc /usr/share/doc/libstdc++-*-dev)
     foreach(package IN ITEMS libginac-dev libcln-dev libgmp-dev libmpfr-dev libflint-dev libflint-arb-dev
             libfmt-dev libtomlplusplus-dev nlohmann-json3-dev libcli11-dev libeigen3-dev libboost-dev
+            librandom123-dev
             ${library_of_cxx})
         file(READ "/usr/share/doc/${package}/copyright" said)
         string(APPEND text "\n======== ${package} ========\n\n${said}")

@@ -20,7 +20,13 @@ Expression parse_expression(std::shared_ptr<const Source> source, Range part) {
 
 IndexedExpression parse_indexed_expression(std::shared_ptr<const Source> source,
                                            const OwnArguments& own) {
-    Expression written = IndexedParser(source, whole(source).range, own).lone_expression();
+    const Range all = whole(source).range;
+    return parse_indexed_expression(std::move(source), all, own);
+}
+
+IndexedExpression parse_indexed_expression(std::shared_ptr<const Source> source, Range part,
+                                           const OwnArguments& own) {
+    Expression written = IndexedParser(source, part, own).lone_expression();
     return {std::move(written), std::move(source)};
 }
 

@@ -66,6 +66,10 @@ struct IndexedExpression {
 [[nodiscard]] IndexedExpression parse_indexed_expression(std::shared_ptr<const Source> source,
                                                          const OwnArguments& own = {});
 
+/// Reads an expression that is a part of a source. Precondition: `part` lies within the text.
+[[nodiscard]] IndexedExpression parse_indexed_expression(std::shared_ptr<const Source> source,
+                                                         Range part, const OwnArguments& own = {});
+
 /// The first and the last value of an index. A single value is both.
 struct IndexBounds {
     Expression first, last;

@@ -28,23 +28,27 @@ SceneTimes times_of(const Scene& scene) {
 
 NamedExpression expression_of_parameters(const SceneTimes& times, std::string name,
                                          std::shared_ptr<const Source> text) {
-    Expression read = unrolled(parse_indexed_expression(text), times.sizes);
+    return expression_of_parameters(times, std::move(name), whole(std::move(text)));
+}
+
+NamedExpression expression_of_parameters(const SceneTimes& times, std::string name, Place part) {
+    const std::shared_ptr<const Source>& text = part.source;
+    Expression read = unrolled(parse_indexed_expression(text, part.range), times.sizes);
     check_functions(read, text, "this");
     std::vector<std::string> names;
     for (const Parameter& parameter : times.parameters) { names.push_back(parameter.name); }
-    walk(read, [&](const Expression& part) {
-        const bool is_known = part.kind != Expression::Kind::symbol || is_constant(part.name) ||
-                              contains(names, part.name);
+    walk(read, [&](const Expression& symbol) {
+        const bool is_known = symbol.kind != Expression::Kind::symbol || is_constant(symbol.name) ||
+                              contains(names, symbol.name);
         if (!is_known) {
-            throw InputError(fmt::format("the scene has no parameter `{}`", part.name),
-                             Place{text, part.range},
-                             did_you_mean(part.name, {names.begin(), names.end()},
+            throw InputError(fmt::format("the scene has no parameter `{}`", symbol.name),
+                             Place{text, symbol.range},
+                             did_you_mean(symbol.name, {names.begin(), names.end()},
                                           "it may depend on parameters, pi and e"));
         }
         return true;
     });
-    Place place{text, {0, text->text.size()}};
-    return {std::move(name), std::move(read), std::move(place)};
+    return {std::move(name), std::move(read), std::move(part)};
 }
 
 }  // namespace hvi::gen

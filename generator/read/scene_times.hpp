@@ -27,4 +27,8 @@ struct SceneTimes {
 [[nodiscard]] NamedExpression expression_of_parameters(const SceneTimes& times, std::string name,
                                                        std::shared_ptr<const Source> text);
 
+/// Reads such a number in a part of a text.
+[[nodiscard]] NamedExpression expression_of_parameters(const SceneTimes& times, std::string name,
+                                                       Place part);
+
 }  // namespace hvi::gen

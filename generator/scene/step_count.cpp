@@ -41,13 +41,11 @@ Number value_of(const NamedExpression& what, const Ground& ground) {
     return evaluate_number(what.expression, what.place.source, ground);
 }
 
-/// Returns the double nearest to a time. Throws MathError where that is infinite, or 0 and the time
-/// is not.
-double nearest_time(const Number& time, const Place& place) {
-    const double nearest = time.nearest_double();
-    if (!std::isfinite(nearest) || (nearest == 0 && time.sign() != 0))
-        throw MathError("this time is beyond the range of doubles", place,
-                        "choose other units of time");
+/// Returns the nearest double. Throws MathError where that is infinite, or 0 and the number is not.
+double nearest_or_refused(const Number& number, const Place& place) {
+    const double nearest = number.nearest_double();
+    if (!std::isfinite(nearest) || (nearest == 0 && number.sign() != 0))
+        throw MathError("this number is beyond the range of doubles", place, "choose other units");
     return nearest;
 }
 
@@ -55,8 +53,8 @@ Steps steps_on(const Ground& ground, const NamedExpression& step, const NamedExp
     const Number h = value_of(step, ground);
     const Number end = value_of(until, ground);
     if (h.sign() == 0) throw MathError("the step has the size 0", step.place);
-    const double size = nearest_time(h, step.place);
-    nearest_time(end, until.place);
+    const double size = nearest_or_refused(h, step.place);
+    nearest_or_refused(end, until.place);
     const Number quotient = end / h;
     if (quotient.sign() < 0)
         throw MathError("steps of this size lead away from the end of the run", step.place,
@@ -79,7 +77,7 @@ Steps steps_until(const SceneTimes& times, const NamedExpression& step,
 
 double nearest_value(const SceneTimes& times, const NamedExpression& what) {
     return on_new_ground([&](const Ground& ground) {
-        return nearest_time(value_of(what, with_parameters(ground, times, {&what})), what.place);
+        return nearest_or_refused(value_of(what, with_parameters(ground, times, {&what})), what.place);
     });
 }
 

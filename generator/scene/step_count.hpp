@@ -22,8 +22,8 @@ struct Steps {
 [[nodiscard]] Steps steps_until(const SceneTimes& times, const NamedExpression& step,
                                 const NamedExpression& until);
 
-/// Returns the double nearest to a time that may depend on these parameters. Throws as
-/// steps_until().
+/// Returns the double nearest to a number that may depend on these parameters. Throws MathError
+/// where that is infinite, or 0 and the number is not; and as evaluate_number() does.
 [[nodiscard]] double nearest_value(const SceneTimes& times, const NamedExpression& what);
 
 }  // namespace hvi::gen
