@@ -10,6 +10,7 @@
 #include "generator/draw/departures.hpp"
 #include "generator/draw/gnuplot.hpp"
 #include "generator/draw/lines.hpp"
+#include "generator/draw/palette.hpp"
 
 namespace hvi::gen {
 
@@ -18,12 +19,6 @@ namespace {
 constexpr int picture_width = 1000, picture_height = 560, tall_picture_height = 680;
 constexpr double top = 0.95;            // of the panels, below the title of all
 constexpr std::size_t most_turns = 40;  // of a curve over time, some 400 pixels wide
-
-// From dark to light, for all eyes: five colours of matplotlib's viridis.
-constexpr const char* palette = R"(
-set palette defined (0 '#440154', 1 '#3b528b', 2 '#21918c', 3 '#5ec962', 4 '#fde725')
-set format cb '%g'
-)";
 
 std::string with_end(const std::string& title, const FirstRows& rows) {
     return rows.are_all ? title : fmt::format("{}, until t = {:.4g}", title, rows.until);
@@ -140,7 +135,7 @@ std::string value_of(const ShownIndex& index, const std::string& number) {
 /// NOTE: gnuplot counts the columns of a matrix from 0 on, which here is the time.
 Beside beside(const TrajectoryPicture& picture, const PlacesInTime& view) {
     constexpr double width = 0.55;
-    return {width, palette,
+    return {width, gnuplot_palette(viridis),
             image_axes("t", "i") + gnuplot_ticks(picture.until) +
                 panel({1 - width, 0, width, top}, view.name + "[i] over t") +
                 fmt::format("plot {} skip 1 matrix every 1:1:1:0:{}:{} using ($2*{:.17g}):{}:3 "
@@ -157,7 +152,7 @@ Beside beside(const TrajectoryPicture& picture, const FieldAtEnds& view) {
     const std::size_t fast = view.second.count;
     const auto length =
         static_cast<double>(view.first.count) * static_cast<double>(view.first.stride);
-    Beside result{width, palette,
+    Beside result{width, gnuplot_palette(viridis),
                   "set datafile separator whitespace\nset size ratio -1\n" + image_axes("i", "j") +
                       gnuplot_ticks(length, most_ticks)};
     for (const int row : {0, 1}) {
