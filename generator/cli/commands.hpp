@@ -11,6 +11,8 @@ void run(const CheckOptions& options);
 void run(const StepperOptions& options);
 void run(const SchemeOptions& options);
 void run(const RunOptions& options);
+void run(const EnsembleOptions& options);
+void run(const CollectOptions& options);
 void run(const ModuleOptions& options);
 void run(const ReportOptions& options);
 void run(const SymmetriesOptions& options);

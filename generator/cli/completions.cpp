@@ -20,12 +20,6 @@ std::string script(Shell shell) {
 
 }  // namespace
 
-std::string in_quotes(std::string_view text) {
-    std::string quoted = "'";
-    for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return quoted + "'";
-}
-
 void run(const CompletionsOptions& options) { write_result(options.output, script(options.shell)); }
 
 }  // namespace hvi::gen

@@ -215,6 +215,49 @@ RunOptions run_options(const Words& words, const CommandLine& line) {
     return options;
 }
 
+EnsembleOptions ensemble_options(const Words& words, const CommandLine& line) {
+    EnsembleOptions options;
+    options.method = method_beside_scene(words);
+    options.system.scene = words.value("SCENE");
+    if (!options.system.scene) refuse_without_scene(line);
+    options.wishes = wishes_of(words);
+    options.system.sums = {options.wishes.unroll, wish_without_loops(options.wishes)};
+    options.step = words.value("--step");
+    options.until = words.value("--until");
+    options.columns = words.value("--columns");
+    options.reduce = words.value("--reduce");
+    options.megno = words.has("--megno");
+    options.initial = words.file("--initial");
+    options.vary = words.texts("--vary");
+    options.random = words.texts("--random");
+    options.samples = words.whole_number("--samples").value_or(options.samples);
+    options.seed = words.whole_number("--seed").value_or(options.seed);
+    options.chunk = words.whole_number("--chunk");
+    if (words.has("--interpret")) options.interpret = words.place("--interpret");
+    options.workers = words.whole_number("--workers");
+    if (const auto tasks = words.whole_number("--slurm")) {
+        options.launcher = Launcher::slurm;
+        options.workers = tasks;
+    }
+    if (words.has("--mpi")) options.launcher = Launcher::mpi;
+    options.map = words.value("--map");
+    options.output = output_option(words);
+    options.words = line.words();
+    if (!options.initial && options.vary.empty() && options.random.empty())
+        throw InputError("no rows are asked for", line.end(),
+                         "for example --vary \"NAME=0:1:11\", --random \"NAME=normal(0, 1)\" "
+                         "--samples 100, or --initial starts.csv");
+    return options;
+}
+
+CollectOptions collect_options(const Words& words, const CommandLine& line) {
+    const Given directory = words.file("DIR");
+    if (!directory)
+        throw InputError("no study is given", line.end(),
+                         "it is a directory that `hvi-gen ensemble` has made");
+    return {directory->text, output_option(words)};
+}
+
 ModuleOptions module_options(const Words& words, const CommandLine& line) {
     ModuleOptions options;
     options.method = method_beside_scene(words);
@@ -358,7 +401,8 @@ Request request(const CLI::App& parsed, const CommandLine& line) {
     case Command::manual: return ManualOptions{output_option(words)};
     case Command::help: return help_request(words);
     case Command::module: return module_options(words, line);
-    case Command::ensemble: break;  // to come
+    case Command::ensemble: return ensemble_options(words, line);
+    case Command::collect: return collect_options(words, line);
     }
     HVI_CHECK(false);
     return Information{};

@@ -99,6 +99,35 @@ struct RunOptions {
     std::optional<std::filesystem::path> output;  ///< a directory
 };
 
+/// The launcher of a study's workers.
+enum class Launcher { processes, slurm, mpi };
+
+struct EnsembleOptions {
+    MethodOptions method;  ///< empty where the scene is to name it
+    SystemOptions system;  ///< a scene
+    StepperWishes wishes;  ///< solver, sums and composition alone
+    Given step, until;     ///< in place of the scene's
+    Given columns;         ///< columns at the end, in place of all variables
+    Given reduce;          ///< functions of columns, over all steps
+    bool megno = false;
+    Given initial;                   ///< a file of starts and parameters
+    std::vector<Given> vary;         ///< `a=0:1:11`
+    std::vector<Given> random;       ///< `x=normal(0, 1e-3)`
+    int samples = 1, seed = 1;       ///< of random values
+    std::optional<int> chunk;        ///< rows that a worker takes at once
+    std::optional<Place> interpret;  ///< without a compiler
+    Launcher launcher = Launcher::processes;
+    std::optional<int> workers;  ///< processes of this machine, or tasks of Slurm
+    Given map;                   ///< columns of a picture
+    std::optional<std::filesystem::path> output;  ///< a directory
+    std::vector<std::string> words;  ///< the words of the command line
+};
+
+struct CollectOptions {
+    std::filesystem::path study;                  ///< its directory
+    std::optional<std::filesystem::path> output;  ///< a file
+};
+
 struct ModuleOptions {
     MethodOptions method;  ///< empty where the scene is to name it
     SystemOptions system;  ///< a scene
@@ -174,7 +203,7 @@ struct Information {
 
 using Request =
     std::variant<TableauOptions, CheckOptions, StepperOptions, SchemeOptions, RunOptions,
-                 ModuleOptions, ReportOptions, SymmetriesOptions, ShowOptions, ListOptions,
+                 EnsembleOptions, CollectOptions, ModuleOptions, ReportOptions, SymmetriesOptions, ShowOptions, ListOptions,
                  CacheOptions, CompletionsOptions, ManualOptions, Information>;
 
 /// Reads the command line. Throws InputError with a caret in it, or in the value at fault.

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "generator/interpret/interpretation.hpp"
+#include "generator/module/driven.hpp"
 
 namespace hvi::gen {
 
@@ -34,7 +35,13 @@ Target Runner::target(const SceneStepper& stepper) {
     if (missing_ && !std::exchange(has_said_so_, true))
         std::fputs(fmt::format("note: {}; steps are interpreted\n", missing_->what()).c_str(),
                    stderr);
-    return Interpreted{interpretation(stepper)};
+    return Interpreted{interpretations(stepper), driven_system(stepper.system).numbers};
+}
+
+void Runner::compile_solvers(const Target& target) {
+    const auto* library = std::get_if<Library>(&target);
+    if (library == nullptr || !library->solvers) throw solver_is_missing();
+    library->solvers->compile();
 }
 
 }  // namespace hvi::gen

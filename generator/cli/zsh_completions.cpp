@@ -5,6 +5,7 @@
 #include "generator/cli/completions.hpp"
 #include "generator/cli/proposals.hpp"
 #include "generator/emit/text/text.hpp"
+#include "generator/support/shell_word.hpp"
 
 namespace hvi::gen {
 

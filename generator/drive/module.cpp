@@ -23,14 +23,15 @@ const Functions* functions(const std::string& path, const char* symbol) {
     return found;
 }
 
-void* made(const detail::DrivenFunctions& call, const ModuleStart& start) {
+void* made(const detail::DrivenFunctions& call, const std::string& directory,
+           const std::vector<double>& numbers) {
     constexpr std::size_t most_of_message = 4096;
     // NOTE: as many as there are processors.
     constexpr unsigned threads = 0;
     void* stepper = nullptr;
     std::string message(most_of_message, '\0');
-    switch (call.create(start.directory.c_str(), threads, start.parameters.data(),
-                        start.parameters.size(), &stepper, message.data(), message.size())) {
+    switch (call.create(directory.c_str(), threads, numbers.data(), numbers.size(), &stepper,
+                        message.data(), message.size())) {
     case detail::DrivenAnswer::ok: return stepper;
     case detail::DrivenAnswer::out_of_memory: throw std::bad_alloc();
     case detail::DrivenAnswer::failed: break;
@@ -41,8 +42,9 @@ void* made(const detail::DrivenFunctions& call, const ModuleStart& start) {
 /// A stepper of a library, by the functions of that.
 class LoadedStepper : public NumberStepper, private DirectionCarrier {
 public:
-    LoadedStepper(const detail::DrivenFunctions& call, const ModuleStart& start)
-        : call_(call), stepper_(made(call, start)) {}
+    LoadedStepper(const detail::DrivenFunctions& call, const std::string& directory,
+                  const std::vector<double>& numbers)
+        : call_(call), stepper_(made(call, directory, numbers)) {}
     ~LoadedStepper() override { call_.destroy(stepper_); }
     LoadedStepper(const LoadedStepper&) = delete;
     LoadedStepper& operator=(const LoadedStepper&) = delete;
@@ -81,11 +83,19 @@ private:
 }  // namespace
 
 MakeStepper loaded_module(ModuleStart start) {
+    std::vector<double> numbers = start.parameters;
+    return loaded_family(std::move(start))(std::move(numbers));
+}
+
+StepperFamily loaded_family(ModuleStart start) {
     const auto* const call = functions<detail::DrivenFunctions>(start.path, "hvi_scene");
     if (!start.solvers.empty())
         call->take_solvers(functions<detail::SolverFunctions>(start.solvers, "hvi_solvers")->find);
-    return
-        [call, start = std::move(start)] { return std::make_unique<LoadedStepper>(*call, start); };
+    return [call, directory = std::move(start.directory)](std::vector<double> numbers) {
+        return [call, directory, numbers = std::move(numbers)] {
+            return std::make_unique<LoadedStepper>(*call, directory, numbers);
+        };
+    };
 }
 
 }  // namespace hvi::gen

@@ -22,4 +22,8 @@ struct ModuleStart {
 /// loaded_module() throws std::runtime_error where the file is no module of this version.
 [[nodiscard]] MakeStepper loaded_module(ModuleStart start);
 
+/// Loads a module, as loaded_module() does, for steppers of different parameters; those of the
+/// `start` are not used. Throws as loaded_module() does.
+[[nodiscard]] StepperFamily loaded_family(ModuleStart start);
+
 }  // namespace hvi::gen

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <vector>
 
 #include <hvi/detail/module/departure.hpp>
 #include <hvi/detail/module/driven_functions.hpp>
@@ -47,5 +48,9 @@ public:
 };
 
 using MakeStepper = std::function<std::unique_ptr<NumberStepper>()>;
+
+/// Returns the steppers for the numbers that those of a scene are made of: parameters and starting
+/// values.
+using StepperFamily = std::function<MakeStepper(std::vector<double> numbers)>;
 
 }  // namespace hvi::gen

@@ -25,9 +25,7 @@ public:
         : columns_(head.columns), table_(path, size) {}
 
     void row(const std::vector<double>& values) override {
-        for (std::size_t k = 0; k < values.size(); ++k)
-            columns_[k].numbers == TableNumbers::floats ? table_.cell(nearest_float(values[k]))
-                                                        : table_.cell(values[k]);
+        for (std::size_t k = 0; k < values.size(); ++k) cell(columns_[k], values[k]);
         table_.end_row();
     }
     [[nodiscard]] bool good() const override { return table_.good(); }
@@ -35,6 +33,16 @@ public:
     [[nodiscard]] bool close() override { return table_.close(); }
 
 private:
+    void cell(const NamedColumn& column, double value) {
+        const auto number = static_cast<std::size_t>(value);
+        if (number < column.words.size())
+            table_.cell(column.words[number]);
+        else if (column.numbers == TableNumbers::floats)
+            table_.cell(nearest_float(value));
+        else
+            table_.cell(value);
+    }
+
     std::vector<NamedColumn> columns_;
     NumberTable table_;
 };

@@ -6,7 +6,9 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -33,6 +35,8 @@ struct NamedColumn {
     std::string name;
     std::string meaning;  ///< its kind: `momentum px`
     TableNumbers numbers = TableNumbers::doubles;
+    std::span<const std::string_view> words = {};  ///< by their numbers; CSV has them in place of
+                                                   ///< the numbers
 };
 
 /// Returns the nearest float by IEC 60559: infinite where the value is beyond the largest one.

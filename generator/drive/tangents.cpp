@@ -44,22 +44,30 @@ std::vector<DirectionVector> all_units(std::size_t numbers) {
     return result;
 }
 
+/// Takes the steps of the directions until one fails, and calls see(taken) after each whole step.
+template <class See>
+Status moved(Directions& directions, const TangentWishes& wishes, See see) {
+    for (std::int64_t taken = 1; taken <= wishes.steps; ++taken) {
+        if (const Status status = directions.step(wishes.h); !status.ok()) return status;
+        see(taken);
+    }
+    return wishes.rest == 0 ? Status() : directions.step(wishes.rest);
+}
+
+/// Whether a status is ok. Reports it where it is not.
+bool is_good(const Status& status) {
+    if (!status.ok()) driver::say("fault", status.message());
+    return status.ok();
+}
+
 /// Takes the steps of the directions, and calls see(taken) after each whole step. Returns false
 /// where a step fails.
 template <class See>
 bool take(Directions& directions, const TangentWishes& wishes, ProgressOfSteps progress, See see) {
-    for (std::int64_t taken = 1; taken <= wishes.steps; ++taken) {
-        if (const Status status = directions.step(wishes.h); !status.ok()) {
-            driver::say("fault", status.message());
-            return false;
-        }
+    return is_good(moved(directions, wishes, [&](std::int64_t taken) {
         see(taken);
         progress.tell(taken);
-    }
-    if (wishes.rest == 0) return true;
-    const Status status = directions.step(wishes.rest);
-    if (!status.ok()) driver::say("fault", status.message());
-    return status.ok();
+    }));
 }
 
 /// The growth of one direction: ln |v| at each step, and MEGNO, in the form of a sum over steps
@@ -103,17 +111,11 @@ private:
 };
 
 bool tell_largest(const TangentWishes& wishes, ProgressOfSteps progress) {
-    constexpr double golden = 0.6180339887498949;
-    Directions directions({usual_direction(numbers_of(wishes), golden)}, wishes.motion);
-    Growth growth(directions);
-    double time = 0;
-    const auto see = [&](std::int64_t step) {
-        time = time_of(directions, wishes, step);
-        growth.see(wishes.motion ? time : static_cast<double>(step));
-    };
-    if (!take(directions, wishes, progress, see)) return false;
-    driver::say("lyapunov", growth.logarithm() / std::abs(time));
-    driver::say("megno", growth.megno());
+    const LargestGrowth growth =
+        largest_growth(wishes, [&](std::int64_t taken) { progress.tell(taken); });
+    if (!is_good(growth.status)) return false;
+    driver::say("lyapunov", growth.lyapunov);
+    driver::say("megno", growth.megno);
     return true;
 }
 
@@ -241,6 +243,20 @@ bool tell_own(const TangentWishes& wishes, ProgressOfSteps progress) {
 }
 
 }  // namespace
+
+LargestGrowth largest_growth(const TangentWishes& wishes,
+                             const std::function<void(std::int64_t)>& see) {
+    constexpr double golden = 0.6180339887498949;
+    Directions directions({usual_direction(numbers_of(wishes), golden)}, wishes.motion);
+    Growth growth(directions);
+    double time = 0;
+    const Status status = moved(directions, wishes, [&](std::int64_t step) {
+        time = time_of(directions, wishes, step);
+        growth.see(wishes.motion ? time : static_cast<double>(step));
+        see(step);
+    });
+    return {status, growth.logarithm() / std::abs(time), growth.megno()};
+}
 
 int take_tangents(const TangentWishes& wishes) {
     using Tell = bool (*)(const TangentWishes&, ProgressOfSteps);

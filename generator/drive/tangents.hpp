@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 
 #include "generator/drive/event_crossing.hpp"
 
@@ -25,6 +26,16 @@ struct TangentWishes {
 
     [[nodiscard]] bool any() const { return matrix || largest || spectrum || sali || own; }
 };
+
+/// The growth of the direction that --lyapunov and --megno take.
+struct LargestGrowth {
+    Status status;  ///< unless it is ok, a step failed, and there are no numbers
+    double lyapunov = 0, megno = 0;
+};
+
+/// Measures it over the steps of DrivenProblem, and calls see(taken) after each.
+[[nodiscard]] LargestGrowth largest_growth(const TangentWishes& wishes,
+                                           const std::function<void(std::int64_t)>& see);
 
 /// Takes the steps of DrivenProblem, which carry directions along or whose states are those of
 /// with_tangent(), and says what was measured. Of scaled time directions are those at one time.

@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/ensembles/grid.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <charconv>
 #include <cstddef>
 #include <system_error>
+#include <utility>
 
 #include "generator/ensembles/option_parts.hpp"
 #include "generator/read/token.hpp"
+#include "generator/scene/step_count.hpp"
 
 namespace hvi::gen {
 
@@ -28,12 +33,25 @@ std::int64_t count_of_values(const Given& text, Range part) {
 
 }  // namespace
 
-double Grid::at(std::int64_t k) const {
-    if (k == 0) return from;
-    if (k == count - 1) return to;
-    const auto first = static_cast<long double>(from), last = static_cast<long double>(to);
-    const auto part = static_cast<long double>(k) / static_cast<long double>(count - 1);
-    return static_cast<double>(first + part * (last - first));
+GridValues::GridValues(std::string from, std::string to, std::int64_t count, SceneTimes scene)
+    : from_(std::move(from)), to_(std::move(to)), count_(count), scene_(std::move(scene)) {
+    constexpr std::int64_t most_kept = 1'000'000;
+    if (count_ <= most_kept) kept_.resize(static_cast<std::size_t>(count_));
+}
+
+double GridValues::at(std::int64_t k) const {
+    const auto place = static_cast<std::size_t>(k);
+    if (kept_.empty()) return value(k);
+    if (!kept_[place]) kept_[place] = value(k);
+    return *kept_[place];
+}
+
+double GridValues::value(std::int64_t k) const {
+    const std::string text = fmt::format("({})+(({})-({}))*{}/{}", from_, to_, from_, k,
+                                         std::max<std::int64_t>(count_ - 1, 1));
+    return nearest_value(
+        scene_, expression_of_parameters(scene_, "grid",
+                                         std::make_shared<const Source>(Source{"grid", text})));
 }
 
 Grid grid(const Given& text, const SceneTimes& scene) {
@@ -45,9 +63,12 @@ Grid grid(const Given& text, const SceneTimes& scene) {
     if (!is_right)
         throw InputError("FROM:TO:COUNT is wanted here", Place{text, named.rest},
                          std::string("for example ") + example_of_grid);
-    return {named.name, value_of_part(text, {named.rest.begin, first}, scene),
-            value_of_part(text, {first + 1, second}, scene),
-            count_of_values(text, {second + 1, all.size()}), named.place};
+    const Range from{named.rest.begin, first}, to{first + 1, second};
+    const std::int64_t count = count_of_values(text, {second + 1, all.size()});
+    for (const Range end : {from, to}) static_cast<void>(value_of_part(text, end, scene));
+    const auto part = [&](Range range) { return all.substr(range.begin, range.end - range.begin); };
+    return {named.name, part(from) + ":" + part(to), count,
+            std::make_shared<const GridValues>(part(from), part(to), count, scene), named.place};
 }
 
 }  // namespace hvi::gen

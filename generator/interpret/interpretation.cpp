@@ -13,10 +13,9 @@ namespace hvi::gen {
 
 namespace {
 
-/// A scene and a method, and the numbers that their steppers are made of.
+/// A scene and a method.
 struct Interpretation {
     Step step;
-    std::vector<double> numbers;
     SystemProgram program;
 };
 
@@ -29,9 +28,9 @@ std::unique_ptr<InterpretedStep> interpreted(const Step& step, InterpretedSystem
 
 class InterpretedStepper : public NumberStepper {
 public:
-    explicit InterpretedStepper(std::shared_ptr<const Interpretation> of)
+    InterpretedStepper(std::shared_ptr<const Interpretation> of, const std::vector<double>& numbers)
         : of_(std::move(of)),
-          step_(interpreted(of_->step, InterpretedSystem(of_->program, of_->numbers))) {}
+          step_(interpreted(of_->step, InterpretedSystem(of_->program, numbers))) {}
 
     [[nodiscard]] detail::DrivenSizes sizes() const override {
         const std::size_t n = program().coordinates();
@@ -167,13 +166,17 @@ std::string obstacle_to_interpretation(const SceneStepper& stepper) {
     return obstacle_of(stepper.step);
 }
 
-MakeStepper interpretation(const SceneStepper& stepper) {
+StepperFamily interpretations(const SceneStepper& stepper) {
     HVI_CHECK(obstacle_to_interpretation(stepper).empty());
-    DrivenSystem driven = driven_system(stepper.system);
-    const auto of = std::make_shared<const Interpretation>(Interpretation{
-        stepper.step, std::move(driven.numbers),
-        SystemProgram(driven.system, stepper.members, stepper.step, *stepper.evaluations)});
-    return [of] { return std::make_unique<InterpretedStepper>(of); };
+    const DrivenSystem driven = driven_system(stepper.system);
+    const auto of = std::make_shared<const Interpretation>(
+        Interpretation{stepper.step, SystemProgram(driven.system, stepper.members, stepper.step,
+                                                   *stepper.evaluations)});
+    return [of](std::vector<double> numbers) {
+        return [of, numbers = std::move(numbers)] {
+            return std::make_unique<InterpretedStepper>(of, numbers);
+        };
+    };
 }
 
 }  // namespace hvi::gen

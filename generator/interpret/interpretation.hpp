@@ -15,9 +15,10 @@ namespace hvi::gen {
 /// Returns why a stepper cannot be interpreted; empty where it can.
 [[nodiscard]] std::string obstacle_to_interpretation(const SceneStepper& stepper);
 
-/// Returns steppers that compute the bits of a compiled module in which no product is fused with a
-/// sum. Where fixed points are too slow they throw SolverIsApart: Newton's method is to come.
-/// Preconditions: there is no obstacle, and `stepper` is made with module_wishes().
-[[nodiscard]] MakeStepper interpretation(const SceneStepper& stepper);
+/// Returns steppers, for any parameters and starting values, that compute the bits of a compiled
+/// module in which no product is fused with a sum. Where fixed points are too slow they throw
+/// SolverIsApart: Newton's method is to come. Preconditions: there is no obstacle, and `stepper` is
+/// made with module_wishes().
+[[nodiscard]] StepperFamily interpretations(const SceneStepper& stepper);
 
 }  // namespace hvi::gen

@@ -21,33 +21,54 @@ namespace hvi::gen {
 
 namespace {
 
+/// Starting values of a family, and the numbers of their elements in the family.
+struct Places {
+    std::vector<Scaled*> values;
+    std::vector<std::size_t> elements;
+};
+
 bool depends_on_parameters_alone(const Graph& graph, const Scaled& value) {
     return (graph.at(value.node).roles & ~static_cast<Roles>(Role::parameter)) == 0;
 }
 
 /// Returns the starting values of a family that depend on parameters only.
-std::vector<Scaled*> places(const Graph& graph, SystemStart& start) {
-    std::vector<Scaled*> result;
-    const auto add = [&](Scaled& value) {
-        if (depends_on_parameters_alone(graph, value)) { result.push_back(&value); }
+Places places(const Graph& graph, SystemStart& start) {
+    Places result;
+    const auto add = [&](Scaled& value, std::size_t element) {
+        if (!depends_on_parameters_alone(graph, value)) { return; }
+        result.values.push_back(&value);
+        result.elements.push_back(element);
     };
-    if (auto* rule = std::get_if<SystemStart::Rule>(&start.values)) { add(rule->value); }
-    if (auto* list = std::get_if<SystemStart::List>(&start.values)) {
-        for (Scaled& value : list->values) { add(value); }
-    }
-    if (auto* points = std::get_if<SystemStart::Points>(&start.values)) {
-        for (Scaled& value : points->values) { add(value); }
-    }
+    const auto add_all = [&](std::vector<Scaled>& values) {
+        for (std::size_t k = 0; k < values.size(); ++k) { add(values[k], k); }
+    };
+    if (auto* rule = std::get_if<SystemStart::Rule>(&start.values)) { add(rule->value, 0); }
+    if (auto* list = std::get_if<SystemStart::List>(&start.values)) { add_all(list->values); }
+    if (auto* points = std::get_if<SystemStart::Points>(&start.values)) { add_all(points->values); }
     return result;
 }
 
 std::vector<Scaled*> places(System& system) {
     std::vector<Scaled*> result;
     for (SystemStart& start : system.initial) {
-        const std::vector<Scaled*> more = places(system.graph, start);
-        result.insert(result.end(), more.begin(), more.end());
+        const Places more = places(system.graph, start);
+        result.insert(result.end(), more.values.begin(), more.values.end());
     }
     return result;
+}
+
+/// Returns the name of an element of a family, by their numbers. Precondition: the system is
+/// written out.
+std::string name_of_element(const System& system, std::size_t family, std::size_t element) {
+    const std::size_t n = system.coordinates.size();
+    const FamilyKind kind = family < n ? FamilyKind::coordinate : FamilyKind::conjugate;
+    for (const Access& access : system.accesses) {
+        const bool is_it =
+            access.kind == kind && access.family == family % n && access.component == element;
+        if (is_it) { return system.graph.at(access.node).name; }
+    }
+    HVI_CHECK(false);
+    return "";
 }
 
 /// Returns the double nearest to a value; empty where it has none, or where it cannot be computed
@@ -87,6 +108,26 @@ std::optional<std::vector<double>> numbers(const System& system,
 }
 
 }  // namespace
+
+std::optional<double>
+StartValue::number(const Graph& graph, const std::map<std::string, Expression>& parameters) const {
+    return hvi::gen::number(graph, value, parameters);
+}
+
+std::vector<StartValue> start_values(const System& system) {
+    System copy = system;
+    std::vector<StartValue> result;
+    for (std::size_t family = 0; family < copy.initial.size(); ++family) {
+        const Places found = places(copy.graph, copy.initial[family]);
+        for (std::size_t k = 0; k < found.values.size(); ++k) {
+            StartValue start{"", *found.values[k]};
+            if (copy.is_written_out())
+                start.variable = name_of_element(copy, family, found.elements[k]);
+            result.push_back(std::move(start));
+        }
+    }
+    return result;
+}
 
 StartParameters with_start_parameters(System system) {
     constexpr std::size_t most = 2000;

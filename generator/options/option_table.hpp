@@ -28,6 +28,7 @@ enum class Command {
     report,
     symmetries,
     ensemble,
+    collect,
     module,
     show,
     list,

@@ -74,10 +74,21 @@ ChildResult driven(const Command& command, const Library& library, const OnLine&
 
 ChildResult driven(const Command& command, const Interpreted& interpreted, const OnLine& on_line) {
     return driven(
-        command, [&] { return interpreted.make; }, false, on_line);
+        command, [&] { return interpreted.family(interpreted.parameters); }, false, on_line);
 }
 
 }  // namespace
+
+EnvironmentError solver_is_missing() {
+    return EnvironmentError("fixed points are too slow for these steps, and Newton's method "
+                            "needs a compiler",
+                            "without --interpret it is compiled; or smaller steps");
+}
+
+StepperFamily steppers_of(const Target& target) {
+    if (const auto* interpreted = std::get_if<Interpreted>(&target)) return interpreted->family;
+    return loaded_family(start_of(std::get<Library>(target)));
+}
 
 void Answers::hear(std::string_view line) {
     const std::size_t blank = line.find(' ');
@@ -163,10 +174,7 @@ Answers answers_to(const Target& target, const Command& command, const std::file
         last = heard(target, command, on_progress);
     }
     const auto& [answers, ended] = last;
-    if (ended.status == solver_is_apart)
-        throw EnvironmentError("fixed points are too slow for these steps, and Newton's method "
-                               "needs a compiler",
-                               "without --interpret it is compiled; or smaller steps");
+    if (ended.status == solver_is_apart) throw solver_is_missing();
     if (ended.status == cannot_write && !file.empty())
         throw EnvironmentError("cannot write " + file.string());
     if (ended.status == out_of_memory)

@@ -68,13 +68,21 @@ struct Library {
     std::shared_ptr<LateBuild> solvers = {};  ///< solvers that its steps seldom call; or none
 };
 
-/// Steppers without a compiler, which a copy of this process runs.
+/// Steppers without a compiler, which a copy of this process runs, and their data.
 struct Interpreted {
-    MakeStepper make;
+    StepperFamily family;
+    std::vector<double> parameters;
 };
 
 /// The target of a driver.
 using Target = std::variant<Program, Library, Interpreted>;
+
+/// Returns the error for steps that call for a solver which their target cannot get.
+[[nodiscard]] EnvironmentError solver_is_missing();
+
+/// Returns the steppers of a target for any parameters. Throws as loaded_module() does.
+/// Precondition: the target is no Program.
+[[nodiscard]] StepperFamily steppers_of(const Target& target);
 
 /// Calls a compiled driver with these words, and reads its output; calls it again where solvers had
 /// to be compiled for it. `on_progress` gets the finished part whenever the driver reports it.

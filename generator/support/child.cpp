@@ -9,12 +9,14 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <memory>
 #include <sstream>
 #include <system_error>
 #include <utility>
@@ -185,63 +187,88 @@ private:
     void (*before_)(int) = SIG_ERR;
 };
 
-/// Reads the output of a child, and passes interruptions on to it.
+/// A running process, and what it has said so far.
+struct Child {
+    Running running;
+    std::unique_ptr<Pipe> output, errors;
+    ChildResult result = {};
+};
+
+/// Takes a line of the child with this number.
+using OnLineOfChild = std::function<void(std::size_t, std::string_view)>;
+
+/// Reads the output of children, and passes interruptions on to them.
 class Listener {
 public:
-    Listener(const Running& child, WhenInterrupted end) : child_(child), end_(end) {}
+    Listener(std::vector<Child>& children, WhenInterrupted end) : children_(children), end_(end) {}
 
-    /// Reads until both pipes are closed at their other end.
-    void read_all(const Pipe& output, const Pipe& errors, ChildResult& result,
-                  const std::function<void(std::string_view)>& on_line) {
-        std::array<pollfd, 3> wanted{pollfd{output.reading(), POLLIN, 0},
-                                     pollfd{errors.reading(), POLLIN, 0},
-                                     pollfd{interruption_descriptor(), POLLIN, 0}};
-        while (wanted[0].fd >= 0 || wanted[1].fd >= 0) {
+    /// Reads until all pipes are closed at their other end.
+    void read_all(const OnLineOfChild& on_line) {
+        std::vector<pollfd> wanted{{interruption_descriptor(), POLLIN, 0}};
+        for (const Child& child : children_)
+            for (const Pipe* pipe : {child.output.get(), child.errors.get()})
+                wanted.push_back({pipe->reading(), POLLIN, 0});
+        const auto is_open = [](const pollfd& each) { return each.fd >= 0; };
+        while (std::any_of(wanted.begin() + 1, wanted.end(), is_open)) {
             const int ready = ::poll(wanted.data(), wanted.size(), milliseconds_);
-            if (ready == 0) throw Interruption();  // it does not stop
+            if (ready == 0) throw Interruption();  // they do not stop
             if (ready < 0) continue;               // a signal
-            if (wanted[2].revents != 0) interrupt(wanted[2]);
-            if (wanted[0].revents != 0) {
-                if (!output.read_into(result.output)) wanted[0].fd = -1;
-                hand_on_lines(result.output, on_line);
-            }
-            if (wanted[1].revents != 0) {
-                if (!errors.read_into(result.errors)) wanted[1].fd = -1;
-                if (result.errors.size() > most_errors) result.errors.resize(most_errors);
-            }
+            if (wanted.front().revents != 0) interrupt(wanted.front());
+            for (std::size_t k = 0; k < children_.size(); ++k)
+                read(k, wanted[1 + 2 * k], wanted[2 + 2 * k], on_line);
         }
     }
 
 private:
+    void read(std::size_t number, pollfd& output, pollfd& errors, const OnLineOfChild& on_line) {
+        Child& child = children_[number];
+        if (output.revents != 0) {
+            if (!child.output->read_into(child.result.output)) output.fd = -1;
+            if (on_line)
+                hand_on_lines(child.result.output,
+                              [&](std::string_view line) { on_line(number, line); });
+        }
+        if (errors.revents != 0) {
+            if (!child.errors->read_into(child.result.errors)) errors.fd = -1;
+            if (child.result.errors.size() > most_errors) child.result.errors.resize(most_errors);
+        }
+    }
+
     void interrupt(pollfd& wanted) {
         if (end_ == WhenInterrupted::it_is_ended) throw Interruption();
         constexpr int time_to_stop = 20'000;
-        ::kill(child_.process(), SIGTERM);
+        for (const Child& child : children_) ::kill(child.running.process(), SIGTERM);
         milliseconds_ = time_to_stop;
         wanted.fd = -1;
         wanted.revents = 0;
     }
 
-    const Running& child_;
+    std::vector<Child>& children_;
     WhenInterrupted end_;
     int milliseconds_ = -1;
 };
 
-}  // namespace
+/// Returns the outputs of the children, and their ends.
+std::vector<ChildResult> heard_out(std::vector<Child> children, const OnLineOfChild& on_line,
+                                   WhenInterrupted end = WhenInterrupted::it_is_ended) {
+    for (Child& child : children) {
+        child.output->close_writing();
+        child.errors->close_writing();
+    }
+    const bool hands_on = end == WhenInterrupted::it_stops && children.size() == 1;
+    const HandsOn signals(hands_on ? children.front().running.process() : 0);
+    Listener(children, end).read_all(on_line);
+    std::vector<ChildResult> results;
+    for (Child& child : children) {
+        child.result.status = child.running.wait();
+        results.push_back(std::move(child.result));
+    }
+    return results;
+}
 
-namespace {
-
-/// Returns the output of the child, and its end.
-ChildResult heard_out(Running child, Pipe& output, Pipe& errors,
-                      const std::function<void(std::string_view)>& on_line,
-                      WhenInterrupted end = WhenInterrupted::it_is_ended) {
-    output.close_writing();
-    errors.close_writing();
-    ChildResult result;
-    const HandsOn hands_on(end == WhenInterrupted::it_stops ? child.process() : 0);
-    Listener(child, end).read_all(output, errors, result, on_line);
-    result.status = child.wait();
-    return result;
+OnLineOfChild of_any_child(const std::function<void(std::string_view)>& on_line) {
+    if (!on_line) return nullptr;
+    return [&on_line](std::size_t, std::string_view line) { on_line(line); };
 }
 
 /// Runs in a copy of this process: makes the settings of Setup, does the work, and exits.
@@ -264,27 +291,44 @@ ChildResult heard_out(Running child, Pipe& output, Pipe& errors,
     ::_exit(status);
 }
 
+/// Starts work in a copy of this process.
+Child started(const std::function<int()>& work) {
+    auto output = std::make_unique<Pipe>();
+    auto errors = std::make_unique<Pipe>();
+    std::fflush(nullptr);  // or the copy writes it once more
+    const pid_t child = ::fork();
+    if (child < 0) cannot("start another process", errno);
+    if (child == 0) work_in_copy(work, *output, *errors);
+    ::setpgid(child, child);  // whoever comes first
+    return {Running(child), std::move(output), std::move(errors)};
+}
+
 }  // namespace
 
 ChildResult run_child(const std::function<int()>& work,
                       const std::function<void(std::string_view)>& on_line, WhenInterrupted end) {
-    Pipe output;
-    Pipe errors;
-    std::fflush(nullptr);  // or the copy writes it once more
-    const pid_t child = ::fork();
-    if (child < 0) cannot("start another process", errno);
-    if (child == 0) work_in_copy(work, output, errors);
-    ::setpgid(child, child);  // whoever comes first
-    return heard_out(Running(child), output, errors, on_line, end);
+    std::vector<Child> child;
+    child.push_back(started(work));
+    return heard_out(std::move(child), of_any_child(on_line), end).front();
+}
+
+std::vector<ChildResult>
+run_children(std::size_t count, const std::function<int(std::size_t)>& work,
+             const std::function<void(std::size_t, std::string_view)>& on_line) {
+    std::vector<Child> children;
+    for (std::size_t k = 0; k < count; ++k) children.push_back(started([&, k] { return work(k); }));
+    return heard_out(std::move(children), on_line, WhenInterrupted::it_stops);
 }
 
 ChildResult run_child(const std::vector<std::string>& words, const std::filesystem::path& directory,
                       const std::function<void(std::string_view)>& on_line) {
     HVI_CHECK(!words.empty());
-    Pipe output;
-    Pipe errors;
-    return heard_out(Running(Setup(directory, output, errors).start(words)), output, errors,
-                     on_line);
+    auto output = std::make_unique<Pipe>();
+    auto errors = std::make_unique<Pipe>();
+    const pid_t process = Setup(directory, *output, *errors).start(words);
+    std::vector<Child> child;
+    child.push_back({Running(process), std::move(output), std::move(errors)});
+    return heard_out(std::move(child), of_any_child(on_line)).front();
 }
 
 }  // namespace hvi::gen

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -42,5 +43,12 @@ enum class WhenInterrupted {
 [[nodiscard]] ChildResult run_child(const std::function<int()>& work,
                                     const std::function<void(std::string_view)>& on_line = nullptr,
                                     WhenInterrupted end = WhenInterrupted::it_is_ended);
+
+/// Calls work(k) for k from 0 to count - 1, each in a copy of this process and all at once. An
+/// interruption stops all of them. Lines are handed on with the number of their copy. Returns the
+/// outcomes in order. Throws as above, with the same precondition.
+[[nodiscard]] std::vector<ChildResult>
+run_children(std::size_t count, const std::function<int(std::size_t)>& work,
+             const std::function<void(std::size_t, std::string_view)>& on_line = nullptr);
 
 }  // namespace hvi::gen

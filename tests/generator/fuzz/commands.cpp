@@ -21,6 +21,8 @@
 #include "generator/cli/method.hpp"
 #include "generator/cli/run_wishes.hpp"
 #include "generator/emit/text/names.hpp"
+#include "generator/ensembles/grid.hpp"
+#include "generator/ensembles/laws.hpp"
 #include "generator/exact/methods/galerkin_rule.hpp"
 #include "generator/module/module.hpp"
 #include "generator/render/render.hpp"
@@ -180,6 +182,15 @@ void carry_out(const ModuleOptions& options) {
     require(module.source.find(step) != std::string::npos, "a module without its step");
 }
 
+/// Up to where the compiler starts.
+void carry_out(const EnsembleOptions& options) {
+    const MethodAndScene both = read_scene(options.method, options.system);
+    const SceneTimes times = times_of(both.scene);
+    for (const Given& text : options.vary) require(grid(text, times).count > 0, "an empty grid");
+    for (const Given& text : options.random) static_cast<void>(law(text, times));
+}
+
+void carry_out(const CollectOptions&) {}  // what it reads is outside
 void carry_out(const ReportOptions&) {}
 void carry_out(const CacheOptions&) {}  // what it does is outside
 void carry_out(const ListOptions&) {}

@@ -1,0 +1,179 @@
+// `hvi-gen ensemble`: many trajectories of a scene, as a study.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <thread>
+#include <utility>
+
+#include "generator/cli/commands.hpp"
+#include "generator/cli/ensemble_results.hpp"
+#include "generator/cli/ensemble_work.hpp"
+#include "generator/cli/method.hpp"
+#include "generator/cli/output_times.hpp"
+#include "generator/cli/run_wishes.hpp"
+#include "generator/emit/text/names.hpp"
+#include "generator/ensembles/slurm.hpp"
+#include "generator/pipeline/directions.hpp"
+#include "generator/support/digest.hpp"
+#include "generator/support/output_file.hpp"
+#include "generator/support/process.hpp"
+#include "generator/support/shell_word.hpp"
+#include "generator/support/version.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+RowSources sources_of(const EnsembleOptions& options, const SceneTimes& times) {
+    RowSources sources{.file = options.initial,
+                       .grids = {},
+                       .laws = {},
+                       .samples = options.samples,
+                       .seed = static_cast<std::uint64_t>(options.seed)};
+    for (const Given& text : options.vary) sources.grids.push_back(grid(text, times));
+    for (const Given& text : options.random) sources.laws.push_back(law(text, times));
+    return sources;
+}
+
+StepperWishes wishes_of(const EnsembleOptions& options) {
+    StepperWishes wishes = simulation_wishes(options.wishes.solver, options.wishes.composition);
+    wishes.unroll = options.wishes.unroll;
+    if (options.interpret) wishes.lanes = {Lanes::none};
+    return wishes;
+}
+
+/// The steppers of the directions that MEGNO takes. Throws InputError where steps carry none.
+SceneStepper directions_of(const MethodAndScene& both, const SceneStepper& stepper,
+                           const StepperWishes& wishes) {
+    constexpr std::string_view what = "--megno";
+    refuse_scale(both.scene, what);
+    if (both.scene.kinks)
+        throw InputError("--megno is not built for kinks that end steps", both.scene.kinks);
+    for (const IndexedEvent& event : both.scene.events)
+        if (event.set) throw InputError("--megno is not built for events that jump", event.place);
+    if (!stepper.system.is_written_out())
+        throw InputError("--megno of an ensemble is not built where sums stay loops",
+                         both.scene.place,
+                         "--unroll yes writes the sums out, up to 256 degrees of freedom");
+    return stepper_of_directions(stepper, both.method, both.scene, wishes, what, 1);
+}
+
+std::vector<ColumnBox> columns_of(const RunSubject& subject, const Given& list) {
+    const std::vector<NameBox> names = column_names(subject);
+    if (list) return named_columns(list, names, subject.sizes);
+    std::vector<NameBox> variables = subject.coordinates;
+    variables.insert(variables.end(), subject.momenta.begin(), subject.momenta.end());
+    return usual_columns(variables, variables.size());
+}
+
+/// The names of the columns of a study, in the order in which EnsembleWork writes them.
+std::vector<std::string> column_names_of(const EnsembleWork& work,
+                                         const std::vector<ColumnBox>& columns) {
+    std::vector<std::string> names{"row"};
+    for (const std::string& name : work.plan.columns()) names.push_back(name);
+    for_each_column(columns, [&](const std::string& name, std::size_t) { names.push_back(name); });
+    names.insert(names.end(), {"t", status_column, "steps"});
+    if (work.has_energy()) names.emplace_back("energy_error");
+    for (const std::string& event : work.events()) names.push_back("count(" + event + ")");
+    for (const Reduction& each : work.wishes.reductions) names.push_back(each.name);
+    if (work.wishes.growth) names.insert(names.end(), {"lyapunov", "megno"});
+    return names;
+}
+
+std::string command_of(const EnsembleOptions& options) {
+    std::string command = "hvi-gen";
+    for (const std::string& word : options.words) command += " " + shell_word(word);
+    return command;
+}
+
+/// Identifies all that rows depend on. NOTE: a machine's compiler may fuse products and sums, so
+/// that bits of rows are those of one kind of machine.
+std::string key_of(const EnsembleOptions& options, const EnsembleWork& work,
+                   const std::vector<std::string>& columns, const RowSource& source) {
+    std::string text = fmt::format("{}\n{}\n{}\n", version, work.stepper.header, source.key());
+    text += options.interpret ? "interpreted\n" : "compiled\n";
+    text += fmt::format("{}\n{}\n", work.scene.text, work.scene.origin);
+    for (const Given& given : {options.step, options.until})
+        text += given ? given->text + "\n" : "-\n";
+    for (const Given& parameter : options.method.parameters) text += parameter->text + "\n";
+    for (const std::string& column : columns) text += column + "\n";
+    return digest(text);
+}
+
+std::int64_t rows_in_chunk(const EnsembleOptions& options, std::int64_t rows) {
+    constexpr std::int64_t chunks = 256, most = 10000;
+    if (options.chunk) return *options.chunk;
+    return std::clamp((rows + chunks - 1) / chunks, std::int64_t(1), most);
+}
+
+fs::path directory_of(const EnsembleOptions& options, const RunSubject& subject) {
+    if (options.output) return *options.output;
+    const std::string header = file_name(subject.method);
+    return subject.scene + "-" + header.substr(0, header.rfind('.')) + "-study";
+}
+
+/// Throws InputError where --param gives a value to what rows differ in.
+void check_parameters(const MethodAndScene& both, const std::vector<VariedName>& names) {
+    for (const Parameter& parameter : both.values)
+        for (const VariedName& name : names)
+            if (name.name == parameter.name)
+                throw InputError(fmt::format("`{}` has a value for all rows by --param", name.name),
+                                 name.place, "leave one of them out");
+}
+
+std::size_t workers_of(const EnsembleOptions& options) {
+    if (options.workers) return static_cast<std::size_t>(*options.workers);
+    return std::max(1U, std::thread::hardware_concurrency());
+}
+
+}  // namespace
+
+void run(const EnsembleOptions& options) {
+    Runner runner(options.interpret);
+    MethodAndScene both = read_scene(options.method, options.system);
+    const SceneTimes times = times_of(both.scene);
+    const NamedExpression step = wish(times, options.step, times.step, "step"),
+                          until = wish(times, options.until, times.until, "until");
+    const StepperWishes wishes = wishes_of(options);
+    SceneStepper stepper = scene_stepper(both.method, both.scene, wishes);
+    const RunSubject subject = run_subject(stepper);
+    RowSource source(sources_of(options, times));
+    check_parameters(both, source.names());
+    RowPlan plan(both.scene, stepper, source.names(), step, until);
+    EnsembleWork work{both.scene, std::move(stepper), std::move(plan)};
+    if (options.megno) {
+        work.wishes.growth = true;
+        SceneStepper directions = directions_of(both, work.stepper, wishes);
+        RowPlan of_them(both.scene, directions, source.names(), step, until);
+        work.directions.emplace(CarriedDirections{std::move(directions), std::move(of_them)});
+    }
+    const std::vector<ColumnBox> columns = columns_of(subject, options.columns);
+    for_each_column(columns, [&](const std::string&, std::size_t number) {
+        work.wishes.columns.push_back(number);
+    });
+    if (options.reduce)
+        work.wishes.reductions =
+            named_reductions(options.reduce, column_names(subject), subject.sizes);
+
+    Study study{.directory = directory_of(options, subject),
+                .title = fmt::format("{}, {}", subject.scene, subject.title),
+                .command = command_of(options),
+                .key = "",
+                .rows = source.count(),
+                .rows_in_chunk = rows_in_chunk(options, source.count()),
+                .columns = column_names_of(work, columns)};
+    study.key = key_of(options, work, study.columns, source);
+    check_map(study, options.map);
+    if (options.launcher == Launcher::slurm)
+        return write_standard_output(slurm_script(study, options.words, *options.workers));
+
+    const InterruptionsHeld held;
+    begin(study);
+    if (!compute(study, work, source, workers_of(options), runner)) return;  // interrupted
+    write_results(study, options);
+}
+
+}  // namespace hvi::gen

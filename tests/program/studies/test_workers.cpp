@@ -1,0 +1,160 @@
+// Workers of one study: any number of them, killed at random, stopped and resumed.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <catch2/catch.hpp>
+
+#include "tests/program/studies/study_run.hpp"
+
+using namespace hvi::test;
+
+namespace {
+
+/// A star whose rows take a few milliseconds each.
+const std::string star = "hamiltonian = \"(px^2 + py^2)/2 + (x^2 + y^2)/2 + x^2*y - y^3/3\"\n"
+                         "coordinates = [\"x\", \"y\"]\nmomenta = [\"px\", \"py\"]\n"
+                         "initial = {x = 0, y = \"1/10\", px = \"1/2\", py = 0}\n"
+                         "run = {method = \"gauss:4\", step = \"1/4\", until = 2000}\n";
+
+const std::string rows = "--random 'y=normal(0, 1/10)' --samples 200 --seed 5";
+
+/// A directory with the scene, whose studies are compared.
+class Studies {
+public:
+    Studies() { write(directory_ / "scene.toml", star); }
+
+    Outcome operator()(const std::string& line) const { return study_in(directory_, line); }
+
+    /// Returns the table of the study, without the summary of its run.
+    [[nodiscard]] std::string collected() const {
+        const Outcome outcome = (*this)("\"$hvi_gen\" collect study -o rows.csv");
+        INFO(outcome.err);
+        REQUIRE(outcome.status == 0);
+        return contents(directory_ / "rows.csv");
+    }
+
+    /// Returns the bytes of all files of chunks.
+    [[nodiscard]] std::string chunks() const {
+        return (*this)("cd study/chunks && find . -type f | sort | while read -r file; do "
+                       "echo \"$file\"; cksum < \"$file\"; done")
+            .out;
+    }
+
+    [[nodiscard]] const Directory& directory() const { return directory_; }
+
+private:
+    Directory directory_;
+};
+
+std::string whole() {
+    const Studies studies;
+    REQUIRE(studies("eval \"$study " + rows + " --chunk 7 --workers 1\"").status == 0);
+    return studies.collected() + studies.chunks();
+}
+
+}  // namespace
+
+TEST_CASE("rows have the same bits for any number of workers, and any of processes") {
+    const std::string expected = whole();
+    for (const std::string how : {"--workers 2", "--workers 5"}) {
+        const Studies studies;
+        REQUIRE(studies("eval \"$study " + rows + " --chunk 7 " + how + "\"").status == 0);
+        CHECK(studies.collected() + studies.chunks() == expected);
+    }
+    const Studies studies;
+    const std::string one = "eval \"$study " + rows + " --chunk 7 --workers 1\"";
+    CHECK(studies(one + " & " + one + " & " + one + " & wait").status == 0);
+    CHECK(studies.collected() + studies.chunks() == expected);
+}
+
+TEST_CASE("a study whose workers are killed twenty times has the bits of one that is not") {
+    const std::string expected = whole();
+    const Studies studies;
+    const Outcome outcome =
+        studies("tries=0; delay=0.10\n"
+                "while [ $tries -lt 20 ]; do\n"
+                "  tries=$((tries + 1))\n"
+                "  eval \"exec $study " +
+                rows + " --chunk 7" +
+                "\" > said.txt 2> err.txt & pid=$!\n"
+                "  sleep $delay; kill -KILL $pid 2> /dev/null; wait $pid\n"
+                "  delay=$(awk \"BEGIN {print 0.10 + ($tries * 7 % 11) * 0.02}\")\n"
+                "done; eval \"$study " +
+                rows + " --chunk 7\"");
+    INFO(outcome.err);
+    CHECK(outcome.status == 0);
+    CHECK(studies.collected() + studies.chunks() == expected);
+}
+
+TEST_CASE("a signal ends a study cleanly, and it goes on from its rows") {
+    const std::string expected = whole();
+    for (const std::string signal : {"TERM", "USR1", "INT"}) {
+        CAPTURE(signal);
+        const Studies studies;
+        const Outcome stopped =
+            studies("eval \"exec $study " + rows +
+                    " --chunk 100 --workers 2\" & pid=$!; "
+                    "for k in $(seq 600); do ls study/chunks/000/*.lock > /dev/null 2>&1 && break; "
+                    "sleep 0.01; done; sleep 0.1; kill -" +
+                    signal + " $pid; wait $pid");
+        INFO(stopped.err);
+        CHECK(stopped.status == 130);
+        CHECK(studies("ls study/chunks/000/*.lock study/chunks/000/.??*").out.empty());
+    }
+}
+
+TEST_CASE("what others have is left to them, and what they have lost is not") {
+    const Studies studies;
+    const std::string words = "--vary y=0:0.1:6 --chunk 2";
+    REQUIRE(studies("mkdir -p study/chunks/000; echo 'elsewhere 1 1' > "
+                    "study/chunks/000/000001.lock; true")
+                .status == 0);
+    const Outcome first = studies("eval \"$study " + words + "\"");
+    CHECK(first.status == 0);
+    CHECK(first.err.find("note: other workers compute 1 of 3 chunks") != std::string::npos);
+    CHECK(first.out.empty());
+    const Outcome part = studies("\"$hvi_gen\" collect study -o part.csv");
+    CHECK(part.status == 1);
+    CHECK(part.err.find("1 of 3 chunks are missing in this table") != std::string::npos);
+    CHECK(table_of(contents(studies.directory() / "part.csv")).rows.size() == 4);
+    // A lock that nobody has touched for long, and one whose process of this machine is gone.
+    CHECK(studies("touch -d '10 minutes ago' study/chunks/000/000001.lock; eval \"$study " + words +
+                  "\"")
+              .status == 0);
+    CHECK(table_of(studies.collected()).rows.size() == 6);
+    CHECK(studies("rm study/chunks/000/000002.npy; echo \"$(uname -n) 999999999 1\" > "
+                  "study/chunks/000/000002.lock; eval \"$study " +
+                  words + "\"")
+              .status == 0);
+    CHECK(table_of(studies.collected()).rows.size() == 6);
+}
+
+TEST_CASE("another study in a directory is refused, and nothing is lost") {
+    const Studies studies;
+    REQUIRE(studies("eval \"$study --vary y=0:0.1:6 --until 10\"").status == 0);
+    const std::string before = studies.collected() + studies.chunks();
+    for (const std::string words :
+         {"--vary y=0:0.1:7 --until 10", "--vary y=0:0.1:6 --until 11",
+          "--vary y=0:0.1:6 --until 10 --method gauss:2", "--vary x=0:0.1:6 --until 10",
+          "--vary y=0:0.1:6 --until 10 --megno", "--vary y=0:0.1:6 --until 10 --chunk 3"}) {
+        CAPTURE(words);
+        const Outcome outcome = studies("eval \"$study " + words + "\"");
+        CHECK(outcome.status == 3);
+        CHECK(outcome.err.find("another study is in study") != std::string::npos);
+    }
+    CHECK(studies.collected() + studies.chunks() == before);
+}
+
+TEST_CASE("a damaged chunk is named") {
+    const Studies studies;
+    REQUIRE(studies("eval \"$study --vary y=0:0.1:6 --until 10 --chunk 3\"").status == 0);
+    REQUIRE(studies("head -c 400 study/chunks/000/000001.npy > cut && mv cut "
+                    "study/chunks/000/000001.npy")
+                .status == 0);
+    const Outcome outcome = studies("\"$hvi_gen\" collect study -o rows.csv");
+    CHECK(outcome.status != 0);
+    CHECK(outcome.err.find("000001.npy") != std::string::npos);
+    CHECK(!std::filesystem::exists(studies.directory() / "rows.csv"));
+}
