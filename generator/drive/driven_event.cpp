@@ -20,6 +20,27 @@ DrivenStepper::State without_clock(DrivenStepper::State x) {
     return x;
 }
 
+std::vector<Event<DrivenStepper>> counted_events(const std::vector<DrivenEvent>& events,
+                                                 const std::optional<ScaledClock>& clock,
+                                                 std::vector<std::int64_t>& counts,
+                                                 const OnEvent& on_event) {
+    std::vector<Event<DrivenStepper>> result;
+    for (const DrivenEvent& each : events) {
+        const std::size_t i = result.size();
+        result.push_back(each.event);
+        result.back().act = [&counts, &each, i, on_event](DrivenStepper::State& x, double t) {
+            ++counts[i];
+            if (on_event) on_event(i, counts[i], x, t);
+            if (counts[i] == each.stop) return After::stop;
+            if (!each.set) return After::go_on;
+            each.set(x, t);
+            return After::jump;
+        };
+    }
+    if (clock) result.push_back(end_of_clock(*clock));
+    return result;
+}
+
 void tell_ending(const EventRun<double>& run, std::size_t end_of_clock) {
     const auto event = static_cast<std::int64_t>(run.event);
     driver::say("status", run.ending == Ending::failed_step ? run.run.status.message() : "ok");

@@ -5,7 +5,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include <hvi/detail/trajectories/event.hpp>
 
@@ -33,6 +35,17 @@ struct ScaledClock {
 
 /// Returns the state without the time of a clock and its momentum.
 [[nodiscard]] DrivenStepper::State without_clock(DrivenStepper::State x);
+
+/// Takes the state and the time of an event, and its number among those of its kind, from 1 on.
+using OnEvent = std::function<void(std::size_t event, std::int64_t number,
+                                   const DrivenStepper::State&, double)>;
+
+/// Returns events that count themselves, are handed to `on_event` where there is one, and end the
+/// run or make it jump as they are wished to; with the end of the clock behind them, where there is
+/// one. Precondition: the events and the counts, one for each, live longer.
+[[nodiscard]] std::vector<Event<DrivenStepper>>
+counted_events(const std::vector<DrivenEvent>& events, const std::optional<ScaledClock>& clock,
+               std::vector<std::int64_t>& counts, const OnEvent& on_event = nullptr);
 
 /// Reports why a run ended. `end_of_clock` is the number of the event that ends the time.
 void tell_ending(const EventRun<double>& run, std::size_t end_of_clock);

@@ -32,7 +32,10 @@ class Row {
 public:
     Row(const RowWishes& wishes, const RowStart& start)
         : wishes_(wishes), start_(start), counts_(start.events ? start.events->size() : 0) {
-        if (is_looked_into()) course_.emplace(events(), stepper_);
+        if (!is_looked_into()) return;
+        static const std::vector<DrivenEvent> none;
+        course_.emplace(
+            counted_events(start_.events ? *start_.events : none, start_.clock, counts_), stepper_);
         if (start_.clock) course_->take_time_from([](const State& x) { return x.q.back(); });
     }
 
@@ -107,23 +110,6 @@ private:
             run_.t = start_.clock->until;
         if (is_looked_into() || wishes_.looks_at_end) invariants_.see(stepper_, x_);
         reductions_.see(run_.t, value_now());
-    }
-
-    /// Returns events that count themselves.
-    [[nodiscard]] std::vector<Event<DrivenStepper>> events() {
-        std::vector<Event<DrivenStepper>> result;
-        for (std::size_t i = 0; i < counts_.size(); ++i) {
-            const DrivenEvent& each = (*start_.events)[i];
-            result.push_back(each.event);
-            result.back().act = [this, &each, i](State& x, double t) {
-                if (++counts_[i] == each.stop) return After::stop;
-                if (!each.set) return After::go_on;
-                each.set(x, t);
-                return After::jump;
-            };
-        }
-        if (start_.clock) result.push_back(end_of_clock(*start_.clock));
-        return result;
     }
 
     [[nodiscard]] std::size_t status() const {

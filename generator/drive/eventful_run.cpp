@@ -62,29 +62,14 @@ public:
     }
 
 private:
-    [[nodiscard]] std::vector<Event<DrivenStepper>> events() {
-        std::vector<Event<DrivenStepper>> result;
-        for (const DrivenEvent& each : wishes_.events) {
-            const std::size_t i = result.size();
-            result.push_back(each.event);
-            result.back().act = [this, &each, i](State& x, double t) {
-                if (++counts_[i] == each.stop) return After::stop;
-                if (!each.set) return After::go_on;
-                each.set(x, t);
-                return After::jump;
-            };
-        }
-        if (wishes_.clock) result.push_back(end_of_clock(*wishes_.clock));
-        return result;
-    }
-
     const EventfulRunWishes& wishes_;
     std::vector<std::int64_t> counts_;
     std::vector<double> outputs_;
     DrivenStepper stepper_ = DrivenProblem::stepper();
     State x_ = DrivenProblem::initial();
     EventRun<double> run_;
-    detail::EventSteps<DrivenStepper> course_{events(), stepper_};
+    detail::EventSteps<DrivenStepper> course_{
+        counted_events(wishes_.events, wishes_.clock, counts_), stepper_};
 };
 
 using Invariants = driver::Invariants<DrivenProblem>;

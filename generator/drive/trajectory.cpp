@@ -241,20 +241,11 @@ private:
 
     /// Returns events that write themselves to the table.
     [[nodiscard]] std::vector<Event<DrivenStepper>> events() {
-        std::vector<Event<DrivenStepper>> result;
-        for (const DrivenEvent& each : wishes_.events.events) {
-            const std::size_t i = result.size();
-            result.push_back(each.event);
-            result.back().act = [this, &each, i](State& x, double t) {
-                event_rows_->write(each.name, ++counts_[i], t, seen(x));
-                if (counts_[i] == each.stop) return After::stop;
-                if (!each.set) return After::go_on;
-                each.set(x, t);
-                return After::jump;
-            };
-        }
-        if (wishes_.clock) result.push_back(end_of_clock(*wishes_.clock));
-        return result;
+        return counted_events(wishes_.events.events, wishes_.clock, counts_,
+                              [this](std::size_t i, std::int64_t number, const State& x, double t) {
+                                  event_rows_->write(wishes_.events.events[i].name, number, t,
+                                                     seen(x));
+                              });
     }
 
     [[nodiscard]] bool has_come_to_end() const {
