@@ -5,6 +5,7 @@
 
 #include <cstdlib>
 #include <iterator>
+#include <optional>
 #include <sstream>
 
 #include "generator/support/child.hpp"
@@ -15,6 +16,8 @@ namespace hvi::gen {
 namespace {
 
 constexpr const char* help_on_compilers = "CXX names the compiler: CXX=g++ hvi-gen run kepler";
+constexpr const char* help_on_mpi =
+    "install an MPI, of Debian libopenmpi-dev and openmpi-bin, or let MPICXX name its compiler";
 
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
 
@@ -41,26 +44,47 @@ std::string first_error(const std::string& text) {
     return first_line(text);
 }
 
-}  // namespace
+/// A compiler as the user knows it.
+struct CompilerNames {
+    const char *variable, *command, *what, *help;
+};
 
-Compiler find_compiler() {
-    const char* variable = std::getenv("CXX");
+/// Returns the answer of a compiler to an option; empty where it cannot be started.
+std::optional<ChildResult> answer_of(const Compiler& compiler, const char* option) {
+    std::vector<std::string> question = compiler.command;
+    question.emplace_back(option);
+    try {
+        return run_child(question, ".");
+    } catch (const EnvironmentError&) { return {}; }
+}
+
+Compiler compiler_of(const CompilerNames& names) {
+    const char* variable = std::getenv(names.variable);
     const std::string named = variable == nullptr ? "" : variable;
     Compiler compiler{words_of(named), {}};
-    if (compiler.command.empty()) compiler.command.emplace_back("c++");
+    if (compiler.command.empty()) compiler.command.emplace_back(names.command);
     // NOTE: the compiler is called in another directory.
     if (std::string& first = compiler.command.front(); first.find('/') != std::string::npos)
         first = std::filesystem::absolute(first).string();
+    const std::optional<ChildResult> answer = answer_of(compiler, "--version");
+    if (!answer || !answer->ok())
+        throw EnvironmentError(std::string("there is no ") + names.what + ": `" +
+                                   joined(compiler.command) + " --version` fails",
+                               names.help);
+    compiler.version = first_line(answer->output);
+    return compiler;
+}
 
-    std::vector<std::string> question = compiler.command;
-    question.emplace_back("--version");
-    try {
-        const ChildResult answer = run_child(question, ".");
-        compiler.version = first_line(answer.output);
-        if (answer.ok()) return compiler;
-    } catch (const EnvironmentError&) {}
-    throw EnvironmentError("there is no C++ compiler: `" + joined(question) + "` fails",
-                           help_on_compilers);
+}  // namespace
+
+Compiler find_compiler() { return compiler_of({"CXX", "c++", "C++ compiler", help_on_compilers}); }
+
+Compiler find_mpi_compiler() {
+    Compiler compiler = compiler_of({"MPICXX", "mpicxx", "compiler of MPI", help_on_mpi});
+    // NOTE: --version asks the compiler behind it, which may be the same for several MPIs.
+    if (const std::optional<ChildResult> shown = answer_of(compiler, "-show"); shown && shown->ok())
+        compiler.version += "\n" + first_line(shown->output);
+    return compiler;
 }
 
 std::vector<std::string> compiler_options(Artifact artifact) {

@@ -16,6 +16,10 @@ struct Compiler {
 /// Finds the compiler. Throws EnvironmentError where there is none.
 [[nodiscard]] Compiler find_compiler();
 
+/// Finds the compiler of MPI: MPICXX of the environment, else mpicxx. Its version names the MPI,
+/// too. Throws EnvironmentError where there is none.
+[[nodiscard]] Compiler find_mpi_compiler();
+
 /// Kinds of files that the compiler makes.
 enum class Artifact { program, library };
 

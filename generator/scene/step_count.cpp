@@ -77,7 +77,8 @@ Steps steps_until(const SceneTimes& times, const NamedExpression& step,
 
 double nearest_value(const SceneTimes& times, const NamedExpression& what) {
     return on_new_ground([&](const Ground& ground) {
-        return nearest_or_refused(value_of(what, with_parameters(ground, times, {&what})), what.place);
+        return nearest_or_refused(value_of(what, with_parameters(ground, times, {&what})),
+                                  what.place);
     });
 }
 
