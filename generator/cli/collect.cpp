@@ -57,7 +57,7 @@ void run(const CollectOptions& options) {
         fail();
         throw;
     }
-    if (const std::int64_t missing = missing_chunks(study); missing > 0)
+    if (const std::size_t missing = missing_chunks(study).size(); missing > 0)
         throw MathError(
             fmt::format("{} of {} chunks are missing in this table", missing, study.chunks()), {},
             "they are computed by: " + study.command);

@@ -171,6 +171,9 @@ void run(const EnsembleOptions& options) {
         return write_standard_output(slurm_script(study, options.words, *options.workers));
 
     const InterruptionsHeld held;
+    if (options.launcher == Launcher::mpi)
+        return compute_by_ranks(study, work, source, runner,
+                                [&] { write_results(study, options); });
     begin(study);
     if (!compute(study, work, source, workers_of(options), runner)) return;  // interrupted
     write_results(study, options);

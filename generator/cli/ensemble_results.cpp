@@ -94,7 +94,7 @@ void check_map(const Study& study, const Given& map) {
 }
 
 void write_results(const Study& study, const EnsembleOptions& options) {
-    if (const std::int64_t missing = missing_chunks(study); missing > 0) {
+    if (const std::size_t missing = missing_chunks(study).size(); missing > 0) {
         std::fputs(
             fmt::format("note: other workers compute {} of {} chunks; the same command shows "
                         "the summary when they are done\n",

@@ -22,84 +22,7 @@
 
 namespace hvi::gen {
 
-std::vector<std::string> EnsembleWork::events() const {
-    std::vector<std::string> names;
-    for (const IndexedEvent& event : scene.events) names.push_back(event.name);
-    return names;
-}
-
-bool EnsembleWork::has_energy() const {
-    const std::vector<std::string> names = conserved_names(stepper.system);
-    return !names.empty() && names.front() == "energy";
-}
-
 namespace {
-
-/// The steppers of a study.
-struct Families {
-    StepperFamily steppers;
-    StepperFamily directions = nullptr;
-};
-
-/// Computes rows of a study one after the other.
-class Rows {
-public:
-    Rows(const EnsembleWork& work, RowSource& source, Families families)
-        : work_(work), source_(source), families_(std::move(families)) {}
-
-    [[nodiscard]] std::optional<std::vector<double>> at(std::int64_t number) {
-        const std::vector<double> values = source_.at(number);
-        const std::optional<RowEnd> end = end_of(values);
-        if (!end) return {};
-        std::vector<double> row{static_cast<double>(number)};
-        row.insert(row.end(), values.begin(), values.end());
-        add(*end, row);
-        return row;
-    }
-
-private:
-    /// Returns the end of a row; that of one which takes no steps has no numbers.
-    [[nodiscard]] std::optional<RowEnd> end_of(const std::vector<double>& values) const {
-        const RowData data = work_.plan.at(values);
-        if (data.fault != RowStatus::ok) return none(data.fault);
-        RowStart start{.make = families_.steppers(data.numbers),
-                       .h = data.h,
-                       .steps = data.steps,
-                       .clock = data.clock,
-                       .events = data.events};
-        if (work_.directions)
-            start.make_directions = families_.directions(work_.directions->plan.at(values).numbers);
-        return take_row(work_.wishes, start);
-    }
-
-    [[nodiscard]] RowEnd none(RowStatus fault) const {
-        constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
-        return {.status = static_cast<std::size_t>(fault),
-                .t = 0,
-                .columns = std::vector<double>(work_.wishes.columns.size(), nothing),
-                .energy_error = nothing,
-                .events = std::vector<std::int64_t>(work_.scene.events.size()),
-                .reduced = std::vector<double>(work_.wishes.reductions.size(), nothing),
-                .lyapunov = nothing,
-                .megno = nothing};
-    }
-
-    /// Adds what there is of an end, in the order of the columns of a study.
-    void add(const RowEnd& end, std::vector<double>& row) const {
-        row.insert(row.end(), end.columns.begin(), end.columns.end());
-        row.insert(row.end(),
-                   {end.t, static_cast<double>(end.status), static_cast<double>(end.steps)});
-        if (work_.has_energy()) row.push_back(end.energy_error);
-        for (std::size_t k = 0; k < work_.scene.events.size(); ++k)
-            row.push_back(static_cast<double>(end.events[k]));
-        row.insert(row.end(), end.reduced.begin(), end.reduced.end());
-        if (work_.wishes.growth) row.insert(row.end(), {end.lyapunov, end.megno});
-    }
-
-    const EnsembleWork& work_;
-    RowSource& source_;
-    Families families_;
-};
 
 /// Reports numbers of finished rows ten times a second.
 class Reports {
@@ -124,7 +47,7 @@ private:
 
 /// A worker process: takes chunks until there are no more for it, or SIGTERM comes. Returns its
 /// exit status.
-int work_on(const Study& study, Rows& rows) {
+int work_on(const Study& study, StudyRows& rows) {
     heed_signals();
     Reports reports;
     try {
@@ -196,14 +119,17 @@ void heed_warning() {
 
 }  // namespace
 
+Targets targets_of(const EnsembleWork& work, Runner& runner) {
+    runner.begin(work.stepper);
+    if (work.directions) runner.begin(work.directions->stepper);
+    Targets targets{runner.target(work.stepper)};
+    if (work.directions) targets.directions = runner.target(work.directions->stepper);
+    return targets;
+}
+
 bool compute(const Study& study, const EnsembleWork& work, const RowSource& source,
              std::size_t workers, Runner& runner) {
-    const auto begin = [&](const SceneStepper& stepper) { runner.begin(stepper); };
-    begin(work.stepper);
-    if (work.directions) begin(work.directions->stepper);
-    const Target target = runner.target(work.stepper);
-    std::optional<Target> of_directions;
-    if (work.directions) of_directions = runner.target(work.directions->stepper);
+    const Targets targets = targets_of(work, runner);
     heed_warning();
     for (;;) {
         Hearing hearing(study, workers);
@@ -211,14 +137,12 @@ bool compute(const Study& study, const EnsembleWork& work, const RowSource& sour
             workers,
             [&](std::size_t) {
                 RowSource own = source.again();
-                Rows rows(work, own,
-                          {steppers_of(target),
-                           of_directions ? steppers_of(*of_directions) : StepperFamily()});
+                StudyRows rows(work, own, targets.families());
                 return work_on(study, rows);
             },
             [&](std::size_t worker, std::string_view line) { hearing.hear(worker, line); });
         if (!are_solvers_apart(ended, hearing.fault())) break;
-        runner.compile_solvers(target);
+        Runner::compile_solvers(targets.steppers);
     }
     return !is_interrupted();
 }

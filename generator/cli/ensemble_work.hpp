@@ -1,44 +1,28 @@
-// The rows of a study: their steppers, and the workers of this machine that compute them.
+// Workers of a study: processes of this machine, or ranks of mpirun.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
 #include <cstddef>
-#include <optional>
-#include <string>
-#include <vector>
+#include <functional>
 
+#include "generator/cli/ensemble_rows.hpp"
 #include "generator/cli/runner.hpp"
-#include "generator/drive/ensemble_row.hpp"
-#include "generator/ensembles/row_plan.hpp"
-#include "generator/ensembles/row_source.hpp"
-#include "generator/ensembles/study.hpp"
 
 namespace hvi::gen {
-
-/// Directions that rows carry along.
-struct CarriedDirections {
-    SceneStepper stepper;
-    RowPlan plan;
-};
-
-/// All that rows of an ensemble have in common.
-struct EnsembleWork {
-    Scene scene;
-    SceneStepper stepper;
-    RowPlan plan;
-    RowWishes wishes = {};
-    std::optional<CarriedDirections> directions = {};
-
-    /// Returns the names of the events that are counted.
-    [[nodiscard]] std::vector<std::string> events() const;
-    /// Whether the energy is among the conserved quantities.
-    [[nodiscard]] bool has_energy() const;
-};
 
 /// Computes the chunks of a study by so many processes, which share the work with all other workers
 /// of its directory. Shows progress. Returns false where an interruption has come. Throws
 /// EnvironmentError where a worker fails. Precondition: begin(study), and interruptions are held.
 bool compute(const Study& study, const EnsembleWork& work, const RowSource& source,
              std::size_t workers, Runner& runner);
+
+/// Returns the steppers of a study, compiled or interpreted. Throws as Runner::target() does.
+[[nodiscard]] Targets targets_of(const EnsembleWork& work, Runner& runner);
+
+/// Computes the chunks of a study by the ranks of mpirun, to which rank 0 hands them out, and calls
+/// `finish` on rank 0 when all are computed. Throws as under_mpi() does, and Interruption where a
+/// signal asks for the end. Precondition: interruptions are held.
+void compute_by_ranks(const Study& study, const EnsembleWork& work, const RowSource& source,
+                      Runner& runner, const std::function<void()>& finish);
 
 }  // namespace hvi::gen

@@ -8,10 +8,10 @@
 
 namespace hvi::gen {
 
-std::int64_t missing_chunks(const Study& study) {
-    std::int64_t missing = 0;
+std::vector<std::int64_t> missing_chunks(const Study& study) {
+    std::vector<std::int64_t> missing;
     for (std::int64_t chunk = 0; chunk < study.chunks(); ++chunk)
-        if (!is_done(study, chunk)) ++missing;
+        if (!is_done(study, chunk)) missing.push_back(chunk);
     return missing;
 }
 

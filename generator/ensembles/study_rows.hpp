@@ -10,8 +10,8 @@
 
 namespace hvi::gen {
 
-/// Returns the number of chunks that are not computed yet.
-[[nodiscard]] std::int64_t missing_chunks(const Study& study);
+/// Returns the numbers of the chunks that are not computed yet, ascending.
+[[nodiscard]] std::vector<std::int64_t> missing_chunks(const Study& study);
 
 /// Calls see(row) for each row that is there, in their order, and shows progress. Throws
 /// EnvironmentError where a chunk is damaged.
