@@ -56,7 +56,8 @@ constexpr std::array solvers = {
     choice("auto", Solver::automatic), choice("fixed-point", Solver::fixed_point),
     choice("newton", Solver::newton), choice("newton-taylor", Solver::newton_taylor)};
 constexpr std::array lanes = {choice("auto", Lanes::automatic), choice("stages", Lanes::stages),
-                              choice("ensemble", Lanes::ensemble), choice("none", Lanes::none)};
+                              choice("ensemble", Lanes::ensemble), choice("gpu", Lanes::gpu),
+                              choice("none", Lanes::none)};
 constexpr std::array lanes_of_one = {choice("auto", Lanes::automatic),
                                      choice("stages", Lanes::stages), choice("none", Lanes::none)};
 constexpr std::array unrolls = {choice("auto", Unroll::automatic), choice("yes", Unroll::yes),
