@@ -230,7 +230,7 @@ constexpr std::array table = {
                 .value = Value::choice,
                 .placeholder = "LANES",
                 .choices = lanes,
-                .help = "Computations in parallel SIMD lanes",
+                .help = "Computations side by side",
                 .needs = {.others = a_system.others,
                           .help = "the class of a user computes one gradient at a time"},
                 .wish = &StepperWishes::lanes},
