@@ -100,7 +100,8 @@ std::vector<Scaled> values_on_device(const System& system, const StepperWishes& 
 
 /// Returns whether a device has the function. NOTE: what src/hvi/detail/device/math.hpp has.
 bool is_on_device(const Computation& computation) {
-    constexpr std::string_view smooth[] = {"exp", "log", "sin", "cos", "tan", "sinh", "cosh", "tanh"};
+    constexpr std::string_view smooth[] = {"exp", "log",  "sin",  "cos",
+                                           "tan", "sinh", "cosh", "tanh"};
     if (computation.operation == Operation::power) return false;
     if (computation.operation != Operation::call) return true;
     if (is_own_function(computation.name)) return false;

@@ -71,7 +71,9 @@ std::string obstacle_to_ensemble(const Step& step) {
 }
 
 std::string obstacle_to_threads(const Step& step) {
-    if (std::holds_alternative<VelocityStep>(step.form)) { return "it is solved for positions alone"; }
+    if (std::holds_alternative<VelocityStep>(step.form)) {
+        return "it is solved for positions alone";
+    }
     return obstacle_to_ensemble(step);
 }
 
@@ -91,8 +93,9 @@ void set_lanes(Step& step, Lanes wished, const SystemProperties& system) {
     }
     if (wished == Lanes::gpu && obstacle_to_threads(step).empty()) {
         step.layout = Layout::threads;
-        step.decisions.push_back({"a trajectory is a thread of a GPU, or a turn of a loop on the host",
-                                  "scalar code without branches fills a GPU by itself"});
+        step.decisions.push_back(
+            {"a trajectory is a thread of a GPU, or a turn of a loop on the host",
+             "scalar code without branches fills a GPU by itself"});
     }
     if (wished == Lanes::ensemble || wished == Lanes::gpu || wished == Lanes::none ||
         !obstacle_to_stage_lanes(step).empty()) {

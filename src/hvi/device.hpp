@@ -24,11 +24,18 @@ HVI_DEVICE void advance_one(typename Stepper::State& state,
     state = x;
 }
 
+/// Adds trajectory i to the list if its steps go on.
+template <class State>
+HVI_DEVICE void list_one(const State* states, std::size_t i, std::uint32_t* which,
+                         std::uint32_t* found) {
+    if (states[i].status == Status::Code::ok) { which[counted(found)] = std::uint32_t(i); }
+}
+
 /// `Stepper` is a class that `hvi-gen stepper --lanes gpu` has written. The host takes each of
-/// `count` trajectories `steps` steps of size h further, one after the other. A trajectory ends with
-/// the bits that it ends with on a GPU, whatever the others are, wherever it stands among them, and
-/// however its steps are parted into calls. A trajectory whose step fails keeps the state before
-/// that step.
+/// `count` trajectories `steps` steps of size h further, one after the other. A trajectory ends
+/// with the bits that it ends with on a GPU, whatever the others are, wherever it stands among
+/// them, and however its steps are parted into calls. A trajectory whose step fails keeps the state
+/// before that step.
 /// # Use
 /// `states` and `parameters` are arrays of `count`: each trajectory has parameters of its own. A
 /// State is made of plain numbers, and so is copied to a GPU and back as bytes. There
@@ -78,15 +85,56 @@ void advance(typename Stepper::State* states, const typename Stepper::Parameters
     }
 }
 
+/// Lists the trajectories whose steps go on: their numbers come to `which`, which has room for
+/// `count`, and the function returns how many there are.
+template <class State>
+[[nodiscard]] std::size_t list_going(const State* states, std::size_t count, std::uint32_t* which) {
+    std::uint32_t found = 0;
+    for (std::size_t i = 0; i < count; ++i) { list_one(states, i, which, &found); }
+    return found;
+}
+
+/// Takes the trajectories of a list further.
+template <class Stepper>
+void advance_listed(typename Stepper::State* states, const typename Stepper::Parameters* parameters,
+                    const std::uint32_t* which, std::size_t count, typename Stepper::Scalar h,
+                    std::int64_t steps) {
+    const typename Stepper::Steps by(h);
+    for (std::size_t i = 0; i < count; ++i) {
+        advance_one<Stepper>(states[which[i]], parameters[which[i]], by, steps);
+    }
+}
+
 #if defined(HVI_KERNEL)
-/// The same on a GPU, where `states` and `parameters` are arrays of the device. Any number of
-/// threads takes any number of trajectories.
+// The same on a GPU, where all arrays are those of the device. Any number of threads takes any
+// number of trajectories.
+
 template <class Stepper>
 HVI_KERNEL void advance_kernel(typename Stepper::State* states,
                                const typename Stepper::Parameters* parameters, std::size_t count,
                                typename Stepper::Steps by, std::int64_t steps) {
     for (std::size_t i = thread_number(); i < count; i += thread_count()) {
         advance_one<Stepper>(states[i], parameters[i], by, steps);
+    }
+}
+
+/// NOTE: `found`, one number, is to be 0 before. The order of the list is any, and no bit of a
+/// trajectory depends on it.
+template <class State>
+HVI_KERNEL void list_going_kernel(const State* states, std::size_t count, std::uint32_t* which,
+                                  std::uint32_t* found) {
+    for (std::size_t i = thread_number(); i < count; i += thread_count()) {
+        list_one(states, i, which, found);
+    }
+}
+
+template <class Stepper>
+HVI_KERNEL void advance_listed_kernel(typename Stepper::State* states,
+                                      const typename Stepper::Parameters* parameters,
+                                      const std::uint32_t* which, std::size_t count,
+                                      typename Stepper::Steps by, std::int64_t steps) {
+    for (std::size_t i = thread_number(); i < count; i += thread_count()) {
+        advance_one<Stepper>(states[which[i]], parameters[which[i]], by, steps);
     }
 }
 #endif

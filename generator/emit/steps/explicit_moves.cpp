@@ -139,9 +139,8 @@ std::string slope(const Step& step, const Move& move) {
 std::string size(const Step& step, const Move& move) {
     const StageValue& value = (move.kick ? step.positions : step.momenta)[move.index];
     if (step.layout == Layout::threads) {
-        return equal(value.weight, 1)
-                   ? "by.h"
-                   : fmt::format("by.{}[{}]", names(move).moved, move.index);
+        return equal(value.weight, 1) ? "by.h"
+                                      : fmt::format("by.{}[{}]", names(move).moved, move.index);
     }
     return equal(value.weight, 1)
                ? "h"

@@ -165,9 +165,7 @@ std::string state_of_stages(const Step& step, std::size_t dimension) {
         writer.line("hvi::device::Vector<Number, {}> slopes_{}[{}]{{}};", dimension, of,
                     step.positions.size());
     }
-    if (!kept_slopes(step).empty()) {
-        writer.line("Number size_of_step = 0;  // of these slopes");
-    }
+    if (!kept_slopes(step).empty()) { writer.line("Number size_of_step = 0;  // of these slopes"); }
     return writer.str();
 }
 
@@ -215,9 +213,7 @@ public:
     }
 
 private:
-    void open() {
-        writer_.open("for (std::size_t i = 0; i < {}; ++i) {{", step_.positions.size());
-    }
+    void open() { writer_.open("for (std::size_t i = 0; i < {}; ++i) {{", step_.positions.size()); }
 
     Writer& writer_;
     const Step& step_;

@@ -143,7 +143,7 @@ public:
           has_loops_(evaluations == nullptr),
           constants_(constants_of(step)),
           counts_(counts_evaluations(wishes, step)),
-          library_(has_loops_ ? "hvi::math"
+          library_(has_loops_                       ? "hvi::math"
                    : step.layout == Layout::threads ? "hvi::device"
                                                     : library(wishes)),
           functions_(functions_of_class(system, wishes, step, evaluations)),
@@ -285,8 +285,8 @@ private:
         const std::string arguments =
             text_of({"const Parameters& parameters", names_.uses_inputs() || has_tables});
         const std::string head =
-            fmt::format("{}explicit {}({}{})", before_constructor(), class_name(),
-                        arguments, has_loops_ ? sizes_.threads() : "");
+            fmt::format("{}explicit {}({}{})", before_constructor(), class_name(), arguments,
+                        has_loops_ ? sizes_.threads() : "");
         if (members.empty()) {
             writer.open("{} {{", head);
         } else {

@@ -9,4 +9,9 @@ namespace made = hvi::generated;
 #define HVI_KERNEL_OF(Stepper)                                                                     \
     template HVI_KERNEL void hvi::device::advance_kernel<made::Stepper>(                           \
         made::Stepper::State*, const made::Stepper::Parameters*, std::size_t,                      \
-        made::Stepper::Steps, std::int64_t);
+        made::Stepper::Steps, std::int64_t);                                                       \
+    template HVI_KERNEL void hvi::device::advance_listed_kernel<made::Stepper>(                    \
+        made::Stepper::State*, const made::Stepper::Parameters*, const std::uint32_t*,             \
+        std::size_t, made::Stepper::Steps, std::int64_t);                                          \
+    template HVI_KERNEL void hvi::device::list_going_kernel<made::Stepper::State>(                 \
+        const made::Stepper::State*, std::size_t, std::uint32_t*, std::uint32_t*);

@@ -84,6 +84,21 @@ TEMPLATE_TEST_CASE("a thread that fails keeps its state, and the others go on", 
     CHECK(y.steps == 0);
 }
 
+TEMPLATE_TEST_CASE("trajectories that go on, from a list of them", "", HVI_ALL_PAIRS) {
+    using Threads = typename TestType::Threads;
+    auto x = scattered<Threads>(20);
+    for (std::size_t i = 0; i < x.size(); i += 3) { x[i].p[0] = HUGE_VAL; }
+    const auto at_once = run<Threads>(x, 30);
+    const auto same = parameters<Threads>(x.size());
+    std::vector<std::uint32_t> which(x.size());
+    for (int part = 0; part < 3; ++part) {
+        const std::size_t going = hvi::device::list_going(x.data(), x.size(), which.data());
+        CHECK((part == 0 ? going == x.size() : going <= x.size() - 7));
+        hvi::device::advance_listed<Threads>(x.data(), same.data(), which.data(), going, h, 10);
+    }
+    for (std::size_t i = 0; i < x.size(); ++i) { CHECK(same_bits(x[i], at_once[i])); }
+}
+
 TEST_CASE("parameters belong to a trajectory") {
     using Kepler = made::KahanLiKeplerThreads;
     std::vector<Kepler::Parameters> suns(4);

@@ -70,25 +70,26 @@ Arguments all_exponents() {
 
 }  // namespace
 
-// NOTE: the bounds are those of docs/gpu.md. Seen are 0.79 for sin and cos, 2.3 for tan, 0.76 for exp, 0.83 for
-// log, 1.6 for sinh, 1.1 for cosh and 2.7 for tanh.
+// NOTE: docs/gpu.md promises a little more: 1, 2 or 3. In two million numbers of each are seen 0.79
+// for sin and cos, 2.3 for tan, 0.76 for exp, 0.83 for log, 1.6 for sinh, 1.1 for cosh and 2.7 for
+// tanh.
 TEMPLATE_TEST_CASE("errors of the functions of devices", "", double, float) {
     using Number = TestType;
     for (const Arguments& angles : {Arguments{-10, 10}, all_angles<Number>()}) {
-        CHECK(worst<Number>(angles, HVI_OURS(sin)) < 1);
-        CHECK(worst<Number>(angles, HVI_OURS(cos)) < 1);
-        CHECK(worst<Number>(angles, HVI_OURS(tan)) < 3);
+        CHECK(worst<Number>(angles, HVI_OURS(sin)) < 0.85);
+        CHECK(worst<Number>(angles, HVI_OURS(cos)) < 0.85);
+        CHECK(worst<Number>(angles, HVI_OURS(tan)) < 2.5);
     }
     for (const Arguments& exponents : {Arguments{-1, 1}, all_exponents<Number>()}) {
-        CHECK(worst<Number>(exponents, HVI_OURS(exp)) < 1);
-        CHECK(worst<Number>(exponents, HVI_OURS(sinh)) < 2);
-        CHECK(worst<Number>(exponents, HVI_OURS(cosh)) < 2);
+        CHECK(worst<Number>(exponents, HVI_OURS(exp)) < 0.8);
+        CHECK(worst<Number>(exponents, HVI_OURS(sinh)) < 1.7);
+        CHECK(worst<Number>(exponents, HVI_OURS(cosh)) < 1.2);
     }
     for (const Arguments& some : {Arguments{0.5, 2}, Arguments{0, 1e9}}) {
-        CHECK(worst<Number>(some, HVI_OURS(log)) < 1);
+        CHECK(worst<Number>(some, HVI_OURS(log)) < 0.87);
     }
     for (const Arguments& some : {Arguments{-1.5, 1.5}, Arguments{-40, 40}}) {
-        CHECK(worst<Number>(some, HVI_OURS(tanh)) < 3);
+        CHECK(worst<Number>(some, HVI_OURS(tanh)) < 2.8);
     }
 }
 
@@ -102,12 +103,30 @@ TEST_CASE("angles next to quarter turns") {
         for (int i = 0; i < 3; ++i, x = std::nextafter(x, HUGE_VAL)) {
             sine = std::fmax(sine, error(hvi::device::sin(Real(x)).value, std::sin(1.0L * x)));
             cosine = std::fmax(cosine, error(hvi::device::cos(Real(x)).value, std::cos(1.0L * x)));
-            tangent = std::fmax(tangent, error(hvi::device::tan(Real(x)).value, std::tan(1.0L * x)));
+            tangent =
+                std::fmax(tangent, error(hvi::device::tan(Real(x)).value, std::tan(1.0L * x)));
         }
     }
     CHECK(sine < 1);
     CHECK(cosine < 1);
     CHECK(tangent < 3);
+}
+
+/// NOTE: what HIP makes of a root that its processor rounds badly.
+TEMPLATE_TEST_CASE("a root is rounded where it was off by a unit", "", double, float) {
+    using Number = TestType;
+    std::mt19937_64 random(5);
+    std::uniform_real_distribution<double> logarithm(-40, 60);
+    for (int i = 0; i < 100'000; ++i) {
+        const auto x = static_cast<Number>(std::exp(logarithm(random)));
+        const Number root = std::sqrt(x);
+        for (const Number y :
+             {std::nextafter(root, Number(0)), root, std::nextafter(root, infinite<Number>)}) {
+            REQUIRE(hvi::device::nearest_root(x, y) == root);
+        }
+    }
+    CHECK(hvi::device::nearest_root<Number>(0, 0) == 0);
+    CHECK(hvi::device::nearest_root(infinite<Number>, infinite<Number>) == infinite<Number>);
 }
 
 TEMPLATE_TEST_CASE("functions of devices at the ends", "", double, float) {

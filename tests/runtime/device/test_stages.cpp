@@ -67,8 +67,8 @@ TEMPLATE_TEST_CASE("stages of threads are near those of a trajectory", "", HVI_P
     }
 }
 
-/// NOTE: Gauss' methods conserve what is quadratic, and the energy of nonseparable moves by terms of
-/// order h^6 to and fro; a rounding error for each step would be 1e-13.
+/// NOTE: Gauss' methods conserve what is quadratic, and the energy of nonseparable moves by terms
+/// of order h^6 to and fro; a rounding error for each step would be 1e-13.
 TEST_CASE("the energy of threads does not drift") {
     using Threads = made::Gauss3NonseparableThreads;
     const Threads stepper{Threads::Parameters()};

@@ -1,17 +1,18 @@
 // The three devices: CUDA, HIP, and the host. One text of a step is compiled for each of them.
 // SPDX-License-Identifier: MIT
 //
-// NOTE: under CUDA and HIP functions without a mark are functions of the host, those of the standard
-// library too, and tables as static members lie in the memory of the host. What a device calls stands
-// in this directory; the numbers of a method reach it as an argument of the kernel.
+// NOTE: under CUDA and HIP functions without a mark are functions of the host, those of the
+// standard library too, and tables as static members lie in the memory of the host. What a device
+// calls stands in this directory; the numbers of a method reach it as an argument of the kernel.
 #ifndef HVI_DEVICE_HPP
 #define HVI_DEVICE_HPP
 
 #include <cfloat>
 #include <cstddef>
+#include <cstdint>
 
-// NOTE: nvcc defines nothing for -use_fast_math. Of that these numbers are touched by -ftz=true alone,
-// and only floats below 2^-126.
+// NOTE: nvcc defines nothing for -use_fast_math. Of that these numbers are touched by -ftz=true
+// alone, and only floats below 2^-126.
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__)
 #error "hvi: -ffast-math and -fassociative-math change the bits of a device: compile without"
 #endif
@@ -103,7 +104,18 @@ namespace hvi::device {
 #endif
 }
 
-/// Returns a / b and sqrt(x), rounded to the nearest number whatever the compiler is told.
+/// Returns the number nearest to sqrt(x), where y is that or a number beside it. Precondition: x is
+/// not so small that the rest of a division is no normal number.
+template <class Number>
+[[nodiscard]] HVI_DEVICE inline Number nearest_root(Number x, Number y) {
+    if (!(y > 0) || y - y != 0) { return y; }
+    return fused(fused(-y, y, x), Number(0.5) / y, y);
+}
+
+/// Return a / b and sqrt(x), rounded to the nearest number whatever the compiler is told.
+///
+/// NOTE: the root of LLVM before 17 for AMD's cards is off by a unit in the last place here and
+/// there.
 [[nodiscard]] HVI_DEVICE inline double quotient(double a, double b) { return a / b; }
 [[nodiscard]] HVI_DEVICE inline float quotient(float a, float b) {
 #if defined(HVI_ON_CUDA)
@@ -119,6 +131,11 @@ namespace hvi::device {
     double result;
     asm("sqrt.rn.f64 %0, %1;" : "=d"(result) : "d"(x));
     return result;
+#elif defined(HVI_ON_HIP)
+    const bool is_small = x < 0x1p-900;
+    const double scaled = is_small ? x * 0x1p200 : x;
+    const double root = nearest_root(scaled, __builtin_sqrt(scaled));
+    return is_small ? root * 0x1p-100 : root;
 #else
     return __builtin_sqrt(x);
 #endif
@@ -128,6 +145,11 @@ namespace hvi::device {
     float result;
     asm("sqrt.rn.f32 %0, %1;" : "=f"(result) : "f"(x));
     return result;
+#elif defined(HVI_ON_HIP)
+    const bool is_small = x < 0x1p-90f;
+    const float scaled = is_small ? x * 0x1p60f : x;
+    const float root = nearest_root(scaled, __builtin_sqrtf(scaled));
+    return is_small ? root * 0x1p-30f : root;
 #else
     return __builtin_sqrtf(x);
 #endif
@@ -164,6 +186,17 @@ namespace hvi::device {
 #endif
 }
 #endif
+
+/// Returns the counter, and adds 1 to it.
+[[nodiscard]] HVI_DEVICE inline std::uint32_t counted(std::uint32_t* counter) {
+#if defined(HVI_ON_CUDA) && !defined(__clang__)
+    return atomicAdd(counter, 1U);
+#elif defined(HVI_ON_CUDA) || defined(HVI_ON_HIP)
+    return __atomic_fetch_add(counter, 1U, __ATOMIC_RELAXED);
+#else
+    return (*counter)++;
+#endif
+}
 
 }  // namespace hvi::device
 

@@ -11,8 +11,7 @@
 namespace hvi::device {
 
 template <class Number>
-inline constexpr bool computes_in =
-    std::is_same_v<Number, float> || std::is_same_v<Number, double>;
+inline constexpr bool computes_in = std::is_same_v<Number, float> || std::is_same_v<Number, double>;
 
 /// A number, each operation of which is rounded for itself: products stay products, and are fused
 /// with sums only by multiply_add(), where that is written.

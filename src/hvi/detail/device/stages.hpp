@@ -56,8 +56,8 @@ public:
     }
 
     /// Sets slopes to N times those of the step before.
-    HVI_DEVICE static void extrapolate(const Table<Number, s>& N, const Vector<Number, n> (&last)[s],
-                                       Values (&slopes)[s]) {
+    HVI_DEVICE static void extrapolate(const Table<Number, s>& N,
+                                       const Vector<Number, n> (&last)[s], Values (&slopes)[s]) {
         Values before[s];
         for (std::size_t i = 0; i < s; ++i) { before[i] = load(last[i]); }
         for (std::size_t i = 0; i < s; ++i) {
