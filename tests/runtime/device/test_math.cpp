@@ -101,10 +101,12 @@ TEST_CASE("angles next to quarter turns") {
         double x = static_cast<double>(static_cast<long double>(n) * quarter);
         x = std::nextafter(x, 0.0);
         for (int i = 0; i < 3; ++i, x = std::nextafter(x, HUGE_VAL)) {
-            sine = std::fmax(sine, error(hvi::device::sin(Real(x)).value, std::sin(1.0L * x)));
-            cosine = std::fmax(cosine, error(hvi::device::cos(Real(x)).value, std::cos(1.0L * x)));
-            tangent =
-                std::fmax(tangent, error(hvi::device::tan(Real(x)).value, std::tan(1.0L * x)));
+            sine = std::fmax(sine, error(hvi::device::sin(Real(x)).value,
+                                         std::sin(static_cast<long double>(x))));
+            cosine = std::fmax(cosine, error(hvi::device::cos(Real(x)).value,
+                                             std::cos(static_cast<long double>(x))));
+            tangent = std::fmax(tangent, error(hvi::device::tan(Real(x)).value,
+                                               std::tan(static_cast<long double>(x))));
         }
     }
     CHECK(sine < 1);
@@ -139,7 +141,7 @@ TEMPLATE_TEST_CASE("functions of devices at the ends", "", double, float) {
     const auto tanh = [](auto x) { return hvi::device::tanh(x); };
     const auto abs = [](auto x) { return hvi::device::abs(x); };
     const auto sign = [](auto x) { return hvi::device::sign(x); };
-    const Number none = std::nan("");
+    const Number none = std::numeric_limits<Number>::quiet_NaN();
     const Number least = std::numeric_limits<Number>::denorm_min();
 
     CHECK(of(sin, 0) == 0);
