@@ -1,34 +1,17 @@
 // Headers of steppers whose trajectories are threads of a GPU.
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/emit/steps/threads.hpp"
 
-#include "generator/emit/steps/clock.hpp"
 #include "generator/emit/steps/explicit_moves.hpp"
 #include "generator/emit/steps/header.hpp"
 #include "generator/emit/steps/implicit_parts.hpp"
-#include "generator/emit/steps/slope_calls.hpp"
 #include "generator/emit/steps/system_part.hpp"
 #include "generator/emit/system/class_values.hpp"
 #include "generator/support/error.hpp"
 #include "src/hvi/version.hpp"
 
 namespace hvi::gen {
-namespace {
 
-/// Parts of the header; see templates/threads.hpp.in.
-struct ThreadParts {
-    std::vector<std::string> runtime;
-    std::string state, steps, step, constants, coupled;
-};
-
-/// Degrees of freedom, and the name of the class.
-struct ThreadSizes {
-    std::size_t dimension;
-    std::string_view class_name;
-};
-
-// ---- what every form has ----
-
-/// Writes the members of a state that each step moves.
 void write_state(Writer& writer, const Step& step, std::size_t dimension) {
     writer.line("hvi::device::Vector<Number, {}> q{{}}, p{{}};", dimension);
     if (step.depends_on_time()) { writer.line("Number t = 0;"); }
@@ -36,18 +19,15 @@ void write_state(Writer& writer, const Step& step, std::size_t dimension) {
     writer.line("std::int64_t steps = 0;                            // how many went well").blank();
 }
 
-/// Writes what rounding has cut off from the time.
 void write_remainder_of_time(Writer& writer, const Step& step) {
     if (step.depends_on_time()) { writer.line("Number remainder_t = 0;"); }
 }
 
-/// Returns the lines that begin a step, before anything is computed.
-void begin(Writer& writer) {
+void begin_step(Writer& writer) {
     writer.line("if (by.h == 0 || x.status != hvi::Status::Code::ok) {{ return; }}");
 }
 
-/// Writes the check of the end, where `q` and `p` are the values there, and what moves x.
-void end(Writer& writer, const Step& step, std::string_view q, std::string_view p) {
+void end_step(Writer& writer, const Step& step, std::string_view q, std::string_view p) {
     std::string finite = fmt::format("hvi::device::are_finite({}, {})", q, p);
     if (step.depends_on_time()) {
         writer.line("const hvi::device::Sum<Number> time = hvi::device::time_after(x, by.h);");
@@ -63,6 +43,8 @@ void end(Writer& writer, const Step& step, std::string_view q, std::string_view 
     }
     writer.line("++x.steps;");
 }
+
+namespace {
 
 // ---- explicit ----
 
@@ -114,7 +96,7 @@ ThreadParts thread_parts(const Step& step, const ExplicitStep& form, const Threa
     parts.steps = steps_of_moves(step, form.sums, parts.constants);
     const bool is_apart = form.sums == Sums::compensated;
     Writer writer(2);
-    begin(writer);
+    begin_step(writer);
     const auto load = [&](std::string_view name, std::string_view from) {
         writer.line("Values {} = hvi::device::load(x.{});", name, from);
     };
@@ -130,7 +112,7 @@ ThreadParts thread_parts(const Step& step, const ExplicitStep& form, const Threa
     if (is_apart) {
         writer.line("hvi::device::add(x.q, dq, q);").line("hvi::device::add(x.p, dp, p);");
     }
-    end(writer, step, "q", "p");
+    end_step(writer, step, "q", "p");
     if (is_apart) {
         writer.line("hvi::device::store(dq, x.remainder_q);");
         writer.line("hvi::device::store(dp, x.remainder_p);");
@@ -139,152 +121,6 @@ ThreadParts thread_parts(const Step& step, const ExplicitStep& form, const Threa
         writer.line("hvi::device::store(kept, x.slope);").line("x.knows_slope = true;");
     }
     parts.step = writer.str();
-    return parts;
-}
-
-// ---- implicit ----
-
-std::string stages_type(const Step& step, std::size_t dimension) {
-    return fmt::format("hvi::device::Stages<Number, {}, {}>", dimension, step.positions.size());
-}
-
-/// Returns whether slopes of one step are starting values of the next, and which.
-std::vector<std::string_view> kept_slopes(const Step& step) {
-    if (step.iteration()->extrapolation.empty()) { return {}; }
-    if (step.is_separable()) { return {"p"}; }
-    return {"q", "p"};
-}
-
-std::string state_of_stages(const Step& step, std::size_t dimension) {
-    Writer writer(2);
-    write_state(writer, step, dimension);
-    writer.line("int iterations = 0;  // of the last step");
-    write_remainder_of_time(writer, step);
-    writer.line("hvi::device::Vector<Number, {}> remainder_q{{}}, remainder_p{{}};", dimension);
-    for (const std::string_view of : kept_slopes(step)) {
-        writer.line("hvi::device::Vector<Number, {}> slopes_{}[{}]{{}};", dimension, of,
-                    step.positions.size());
-    }
-    if (!kept_slopes(step).empty()) { writer.line("Number size_of_step = 0;  // of these slopes"); }
-    return writer.str();
-}
-
-std::string steps_of_stages(const Step& step, std::string_view class_name) {
-    const std::size_t stages = step.positions.size();
-    Writer writer(2);
-    writer.open("explicit Steps(Number size) : h(size) {{")
-        .line("hvi::device::weigh(h, {}, hb);", weights_p(step));
-    if (step.depends_on_time()) { writer.line("hvi::device::scale(h, c, t);"); }
-    writer.close().blank().line("Number h;");
-    writer.line("hvi::device::Vector<Number, {}> hb{{}};", stages);
-    if (step.depends_on_time()) { writer.line("hvi::device::Vector<Number, {}> t{{}};", stages); }
-    const auto table = [&](std::string_view name) {
-        writer.line("hvi::device::Table<Number, {}> {} = hvi::device::table_of({}::{});", stages,
-                    name, class_name, name);
-    };
-    table("m");
-    if (table_mt(step) != "m") { table(table_mt(step)); }
-    if (!kept_slopes(step).empty()) { table("N"); }
-    return writer.str();
-}
-
-/// Writes the loop over the stages that sets slopes at `at`, the start or stage i, and the loop's
-/// end.
-class SlopesOfStages {
-public:
-    SlopesOfStages(Writer& writer, const Step& step) : writer_(writer), step_(step) {}
-
-    /// Writes the evaluations and the lines that set the slopes of q, of p, or of both.
-    void write(const SlopePoint& at, bool is_of_start, bool of_q, bool of_p) {
-        const bool is_joint = step_.slopes == Slopes::joint;
-        if (!is_of_start) { open(); }
-        if (is_joint) {
-            writer_.line("Values dHdq, dHdp;");
-            writer_.line("system.{};", gradient_call(at, "dHdq", "dHdp"));
-        } else {
-            writer_.line("Values {};", of_q && of_p ? "dHdq, dHdp" : of_q ? "dHdp" : "dHdq");
-            if (of_q) { writer_.line("system.{};", velocity_call(step_, at, "dHdp")); }
-            if (of_p) { writer_.line("system.{};", force_call(step_, at, "dHdq")); }
-        }
-        if (is_of_start) { open(); }
-        if (of_p) { writer_.line("s.set(s.Lp[i], -by.hb[i], dHdq);"); }
-        if (of_q) { writer_.line("s.set(s.Lq[i], by.hb[i], dHdp);"); }
-        writer_.close();
-    }
-
-private:
-    void open() { writer_.open("for (std::size_t i = 0; i < {}; ++i) {{", step_.positions.size()); }
-
-    Writer& writer_;
-    const Step& step_;
-};
-
-std::string slopes_text(const Step& step) {
-    const bool is_joint = step.slopes == Slopes::joint;
-    const SlopePoint start{"s.q", "s.p", step.depends_on_time() ? "x.t" : ""};
-    const SlopePoint inner{"s.Q[i]", "s.P[i]", time_of_thread(step, "i")};
-    Writer writer(2);
-    SlopesOfStages slopes(writer, step);
-    writer.line("/// Sets starting values: slopes as at the start of the step.");
-    writer.open("HVI_DEVICE void begin() {{");
-    slopes.write(start, true, !step.is_separable(), true);
-    writer.close().blank();
-    writer.open("HVI_DEVICE void sweep() {{").line("s.momenta(by.{});", table_mt(step));
-    if (!is_joint) { slopes.write(inner, false, true, false); }
-    writer.line("positions();").close().blank();
-    writer.open("HVI_DEVICE void evaluate() {{");
-    slopes.write(inner, false, is_joint, true);
-    return writer.close().str();
-}
-
-std::string solve_text(const Step& step) {
-    Writer writer(2);
-    const std::vector<std::string_view> kept = kept_slopes(step);
-    begin(writer);
-    writer.line("Stages s(x);");
-    writer.line("Coupled coupled{{system_, by, {}s}};", step.depends_on_time() ? "x, " : "");
-    if (kept.empty()) {
-        writer.line("coupled.begin();");
-    } else {
-        writer.line("const bool extrapolates = x.size_of_step == by.h;");
-        writer.line("if (!extrapolates) {{ coupled.begin(); }}").open("if (extrapolates) {{");
-        for (const std::string_view of : kept) {
-            writer.line("s.extrapolate(by.N, x.slopes_{0}, s.L{0});", of);
-        }
-        writer.close();
-    }
-    writer.blank()
-        .line("x.status = hvi::device::solve(coupled, x.iterations);")
-        .line("if (x.status != hvi::Status::Code::ok) {{ return; }}")
-        .line("s.advance();");
-    end(writer, step, "s.q", "s.p");
-    writer.line("hvi::device::store(s.remainder_q, x.remainder_q);")
-        .line("hvi::device::store(s.remainder_p, x.remainder_p);");
-    if (kept.empty()) { return writer.str(); }
-    writer.open("for (std::size_t i = 0; i < {}; ++i) {{", step.positions.size());
-    for (const std::string_view of : kept) {
-        writer.line("hvi::device::store(s.L{0}[i], x.slopes_{0}[i]);", of);
-    }
-    return writer.close().line("x.size_of_step = by.h;").str();
-}
-
-ThreadParts thread_parts(const Step& step, const PairStep& form, const ThreadSizes& sizes) {
-    const auto& [dimension, class_name] = sizes;
-    ThreadParts parts;
-    parts.runtime = {"detail/device/math", "detail/device/stages"};
-    parts.constants = constants_text(step, form, {});
-    parts.state = state_of_stages(step, dimension);
-    parts.steps = steps_of_stages(step, class_name);
-    parts.step = solve_text(step);
-    parts.coupled =
-        fill_part("thread_stages.hpp.in",
-                  {{"unknowns", unknowns(step.blocks.front())},
-                   {"stages", stages_type(step, dimension)},
-                   {"time", step.depends_on_time() ? "const State& x;" : ""},
-                   {"watch", fmt::format("hvi::device::RoundOff<Number, {}>", dimension)},
-                   {"separable", std::string(truth(step.is_separable()))},
-                   {"joint", std::string(truth(step.slopes == Slopes::joint))},
-                   {"slopes", slopes_text(step)}});
     return parts;
 }
 
@@ -306,8 +142,8 @@ void write_value(Writer& writer, const ClassValue& value) {
         .blank();
 }
 
-std::string members_text(const System& system, const SceneWishes& wishes,
-                         std::string_view class_name) {
+std::string thread_members_text(const System& system, const SceneWishes& wishes,
+                                std::string_view class_name) {
     Writer writer(1);
     writer.line("HVI_DEVICE explicit {}(const Parameters& parameters) : system_(parameters) {{}}",
                 class_name);
@@ -341,7 +177,7 @@ std::string emit_threads(const OneStepMethod& method, const Step& step,
     ThreadParts parts =
         std::visit([&](const auto& form) { return thread_parts(step, form, sizes); }, step.form);
     Holes holes = holes_of(system);
-    holes["construct"] = members_text(*options.system, options.wishes, system.class_name);
+    holes["construct"] = thread_members_text(*options.system, options.wishes, system.class_name);
     holes.merge(Holes{{"format", std::to_string(hvi::runtime_format)},
                       {"runtime", runtime_includes(std::move(parts.runtime))},
                       {"state", parts.state},
