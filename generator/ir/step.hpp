@@ -231,6 +231,7 @@ enum class Layout {
     one,           ///< nothing: a number is a number
     stages,        ///< all stages of a step: see hvi::Lanes
     trajectories,  ///< trajectories: see hvi::Trajectories
+    threads,       ///< nothing: a trajectory is a thread of a GPU, see hvi/device.hpp
     components,    ///< components of vectors of any size
     sites,         ///< sites of a lattice, over which all moves of a step sweep at once
 };
@@ -313,6 +314,10 @@ struct Step {
     [[nodiscard]] const Iteration* iteration() const;
     [[nodiscard]] bool has_lanes() const {
         return layout == Layout::stages || layout == Layout::trajectories;
+    }
+    /// Whether a stepper takes several trajectories, which are all iterated alike.
+    [[nodiscard]] bool takes_several() const {
+        return layout == Layout::trajectories || layout == Layout::threads;
     }
     /// Evaluations of dH/dq and of dH/dp in a step that needs no solver, kept ones not counted.
     [[nodiscard]] std::size_t forces_evaluated() const;

@@ -66,6 +66,7 @@ std::string_view text(Layout layout) {
     case Layout::one: return "one";
     case Layout::stages: return "stages";
     case Layout::trajectories: return "trajectories";
+    case Layout::threads: return "threads";
     case Layout::components: return "components";
     case Layout::sites: return "sites";
     }

@@ -57,7 +57,8 @@ constexpr std::array solvers = {
     choice("auto", Solver::automatic), choice("fixed-point", Solver::fixed_point),
     choice("newton", Solver::newton), choice("newton-taylor", Solver::newton_taylor)};
 constexpr std::array lanes = {choice("auto", Lanes::automatic), choice("stages", Lanes::stages),
-                              choice("ensemble", Lanes::ensemble), choice("none", Lanes::none)};
+                              choice("ensemble", Lanes::ensemble), choice("gpu", Lanes::gpu),
+                              choice("none", Lanes::none)};
 constexpr std::array lanes_of_one = {choice("auto", Lanes::automatic),
                                      choice("stages", Lanes::stages), choice("none", Lanes::none)};
 constexpr std::array unrolls = {choice("auto", Unroll::automatic), choice("yes", Unroll::yes),
@@ -235,7 +236,7 @@ constexpr std::array table = {
                 .value = Value::choice,
                 .placeholder = "LANES",
                 .choices = lanes,
-                .help = "Computations in parallel SIMD lanes",
+                .help = "Computations side by side",
                 .needs = {.others = a_system.others,
                           .help = "the class of a user computes one gradient at a time"},
                 .wish = &StepperWishes::lanes},

@@ -86,6 +86,9 @@ SceneStepper stepper_in_duals(const SceneStepper& stepper, const Method& method,
 void add_directions(SceneStepper& stepper, const Method& method, const Scene& scene,
                     const StepperWishes& wishes) {
     constexpr std::string_view option = "--tangent";
+    if (wishes.lanes.choice == Lanes::gpu)
+        throw InputError("--tangent is not built for --lanes gpu, whose states are plain numbers",
+                         wishes.lanes.place);
     if (wishes.lanes.choice == Lanes::ensemble)
         throw InputError("--tangent is not built for ensembles, whose steps are those of eight "
                          "trajectories",

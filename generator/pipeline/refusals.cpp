@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/pipeline/refusals.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 
+#include "generator/expr/functions.hpp"
+#include "generator/expr/own_functions.hpp"
+#include "generator/lower/kernel.hpp"
 #include "generator/plan/lanes.hpp"
 #include "generator/read/no_loops.hpp"
 
@@ -56,6 +61,54 @@ void check_ensemble(const Step& step, const StepperWishes& wishes) {
                          "compositions are where H = T(p) + U(q), and for midpoint and gauss:S");
 }
 
+/// Refuses wishes that are not built where a trajectory is a thread of a GPU.
+void check_threads(const Step& step, const StepperWishes& wishes) {
+    if (wishes.lanes.choice != Lanes::gpu) return;
+    const std::optional<Place>& place = wishes.lanes.place;
+    const auto refuse = [&](bool is_wished, const char* flag, const char* reason) {
+        if (is_wished)
+            throw InputError(std::string(flag) + " is not built for --lanes gpu: " + reason, place,
+                             "without --lanes gpu there is a stepper of one trajectory");
+    };
+    refuse(wishes.dense, "--dense", "trajectories take all their steps at once");
+    refuse(wishes.action, "--action", "trajectories take all their steps at once");
+    refuse(wishes.float128, "--float128", "a GPU computes in float or double");
+    refuse(wishes.evaluations, "--evaluations", "threads count nothing together");
+    const std::string obstacle = obstacle_to_threads(step);
+    if (!obstacle.empty())
+        throw InputError("no --lanes gpu for this method on this H: " + obstacle, place,
+                         "it is built for explicit methods, as stormer-verlet and its "
+                         "compositions are where H = T(p) + U(q), and for midpoint and gauss:S");
+}
+
+/// Returns the values that a header computes on a device.
+std::vector<Scaled> values_on_device(const System& system, const StepperWishes& wishes) {
+    std::vector<Scaled> values = by_coordinates(system);
+    const auto add = [&](const std::vector<Scaled>& more) {
+        values.insert(values.end(), more.begin(), more.end());
+    };
+    add(by_conjugates(system));
+    add(start_of(system));
+    if (wishes.energy) { values.push_back(energy_of(system)); }
+    if (wishes.invariants) {
+        for (const SystemValue& invariant : system.invariants) {
+            values.push_back(value_of(invariant));
+        }
+    }
+    return values;
+}
+
+/// Returns whether a device has the function. NOTE: what src/hvi/detail/device/math.hpp has.
+bool is_on_device(const Computation& computation) {
+    constexpr std::string_view smooth[] = {"exp", "log",  "sin",  "cos",
+                                           "tan", "sinh", "cosh", "tanh"};
+    if (computation.operation == Operation::power) return false;
+    if (computation.operation != Operation::call) return true;
+    if (is_own_function(computation.name)) return false;
+    return !is_smooth(computation.name) ||
+           std::count(std::begin(smooth), std::end(smooth), computation.name) > 0;
+}
+
 /// Returns whether its equations are solved by Eigen's factors of sparse matrices.
 bool has_sparse_factors(const Step& step) {
     const auto* velocities = std::get_if<VelocityStep>(&step.form);
@@ -95,9 +148,25 @@ void check_newton(const System& system, const Step& step, const Place& place) {
                   place, "without it fixed points are iterated; or write sums out: --unroll yes");
 }
 
+void check_functions_on_device(const System& system, const StepperWishes& wishes) {
+    if (wishes.lanes.choice != Lanes::gpu) return;
+    const Kernel all = kernel_of_inputs(system.graph, values_on_device(system, wishes));
+    for (const Node node : all.nodes) {
+        const Computation& computation = system.graph.at(node);
+        if (is_on_device(computation)) continue;
+        const bool is_power = computation.operation == Operation::power;
+        const std::string what =
+            is_power ? "a power with such an exponent" : "the function `" + computation.name + "`";
+        throw InputError("--lanes gpu has not " + what, wishes.lanes.place,
+                         "there are sqrt, exp, log, sin, cos, tan, sinh, cosh, tanh, abs, sign, "
+                         "min, max, if, and powers with whole exponents and halves");
+    }
+}
+
 std::string wish_without_loops(const StepperWishes& wishes) {
     const std::pair<bool, const char*> all[] = {
         {wishes.lanes.choice == Lanes::ensemble, "--lanes ensemble"},
+        {wishes.lanes.choice == Lanes::gpu, "--lanes gpu"},
         {wishes.lanes.choice == Lanes::stages, "--lanes stages"},
         {wishes.solver == Solver::newton_taylor, "--solver newton-taylor"},
     };
@@ -122,6 +191,7 @@ void check_step(const Step& step, const Method& method, const StepperWishes& wis
     check_solver(step, wishes, place);
     check_lanes(step, wishes);
     check_ensemble(step, wishes);
+    check_threads(step, wishes);
 }
 
 }  // namespace hvi::gen

@@ -21,6 +21,10 @@ void check_wishes_of_any_size(const StepperWishes& wishes, const Place& place);
 /// no second derivatives for it.
 void check_newton(const System& system, const Step& step, const Place& place);
 
+/// Throws InputError where --lanes gpu is wished for and the system calls a function that no device
+/// has. Precondition: the system is written out.
+void check_functions_on_device(const System& system, const StepperWishes& wishes);
+
 /// Throws InputError for a step that was planned otherwise than wished for, or that its container
 /// does not have. `place` is that of H.
 void check_step(const Step& step, const Method& method, const StepperWishes& wishes,

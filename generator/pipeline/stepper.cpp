@@ -132,6 +132,7 @@ SceneStepper stepper_of(const Method& wished, MethodAndCurve derived, const Lowe
         method, scene.written ? properties(system, scene.gradients) : properties(system), wishes);
     check_step(step, wished, wishes, scene.place());
     check_newton(system, step, scene.place());
+    check_functions_on_device(system, wishes);
     check_curve(step, members.curve, wished);
     std::optional<Evaluations> evaluations;
     if (scene.written) { evaluations = hvi::gen::evaluations(system, scene.gradients, step); }

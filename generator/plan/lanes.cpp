@@ -70,6 +70,13 @@ std::string obstacle_to_ensemble(const Step& step) {
     return obstacle_in_stages(step);
 }
 
+std::string obstacle_to_threads(const Step& step) {
+    if (std::holds_alternative<VelocityStep>(step.form)) {
+        return "it is solved for positions alone";
+    }
+    return obstacle_to_ensemble(step);
+}
+
 void set_lanes(Step& step, Lanes wished, const SystemProperties& system) {
     if (system.container == Container::vectors) {
         if (!std::holds_alternative<VelocityStep>(step.form)) { return; }
@@ -84,7 +91,13 @@ void set_lanes(Step& step, Lanes wished, const SystemProperties& system) {
             {"eight trajectories are computed side by side",
              "one evaluation of dH/dq, in vectors of the processor, serves them all"});
     }
-    if (wished == Lanes::ensemble || wished == Lanes::none ||
+    if (wished == Lanes::gpu && obstacle_to_threads(step).empty()) {
+        step.layout = Layout::threads;
+        step.decisions.push_back(
+            {"a trajectory is a thread of a GPU, or a turn of a loop on the host",
+             "scalar code without branches fills a GPU by itself"});
+    }
+    if (wished == Lanes::ensemble || wished == Lanes::gpu || wished == Lanes::none ||
         !obstacle_to_stage_lanes(step).empty()) {
         return;
     }

@@ -13,6 +13,9 @@ namespace hvi::gen {
 /// Returns the reason why trajectories cannot be computed side by side; empty where they can.
 [[nodiscard]] std::string obstacle_to_ensemble(const Step& step);
 
+/// Returns the reason why a trajectory cannot be a thread of a GPU; empty where it can.
+[[nodiscard]] std::string obstacle_to_threads(const Step& step);
+
 /// Decides what lanes hold, by the wish and the obstacles. In vectors of any size they hold
 /// components, where positions alone are solved for. Precondition: the solver is decided.
 void set_lanes(Step& step, Lanes wished, const SystemProperties& system);

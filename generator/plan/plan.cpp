@@ -294,6 +294,14 @@ void note_action(Step& step) {
                               "the action is summed over positions, momenta and slopes"});
 }
 
+/// Notes that the stages keep their momenta on a GPU.
+void note_threads(Step& step) {
+    if (step.is_explicit()) { return; }
+    step.decisions.push_back({"the stages keep their momenta",
+                              "on a GPU one form serves any H: positions alone need products of "
+                              "twice the digits"});
+}
+
 void round_coefficients(const Step&, ExplicitStep&) {}
 void round_tables(const Step& step, RoundedCoefficients& coefficients) {
     coefficients = rounded(step);
@@ -320,8 +328,8 @@ Step completed(Step step, const SystemProperties& system) {
 /// Returns the solver. NOTE: trajectories side by side differ in how stiff H is for them, and are
 /// all iterated.
 Solver solver_for(const StepWishes& wishes) {
-    const bool is_ensemble = wishes.lanes == Lanes::ensemble;
-    return is_ensemble && wishes.solver == Solver::automatic ? Solver::fixed_point : wishes.solver;
+    const bool are_several = wishes.lanes == Lanes::ensemble || wishes.lanes == Lanes::gpu;
+    return are_several && wishes.solver == Solver::automatic ? Solver::fixed_point : wishes.solver;
 }
 
 bool may_tabulate(const SystemProperties& system, const StepWishes& wishes) {
@@ -372,6 +380,8 @@ Step planned_as_one(const Tableau& tableau, const OneStepMethod& method,
     // undo; and enclosures do not tell that entries between them are zero.
     if (wishes.action) {
         note_action(step);
+    } else if (wishes.lanes == Lanes::gpu) {
+        note_threads(step);
     } else if (system.kinetic_is_quadratic && !composition) {
         eliminate_momenta(step, system);
     }

@@ -13,6 +13,7 @@ enum class Lanes {
     automatic,  ///< stages, where they can be
     stages,     ///< the stages of a step
     ensemble,   ///< trajectories that take the same steps
+    gpu,        ///< nothing: a trajectory is a thread of a GPU
     none,
 };
 

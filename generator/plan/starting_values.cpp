@@ -53,7 +53,7 @@ std::optional<SlopePolynomial> polynomial_of_one_step(const Quadrature& rule,
 /// Returns whether slopes of two steps are remembered. NOTE: a stepper for any H keeps to one step,
 /// so that its memory is simple.
 bool may_take_two_steps(Solver solver, Layout layout) {
-    return layout != Layout::trajectories &&
+    return layout != Layout::trajectories && layout != Layout::threads &&
            (solver == Solver::automatic || solver == Solver::fixed_point ||
             solver == Solver::newton_taylor);
 }

@@ -28,6 +28,10 @@ std::string time_of_start(const Step& step, std::string_view s) {
     return timed(step, fmt::format("{}.start", clock(s)));
 }
 
+std::string time_of_thread(const Step& step, std::string_view i) {
+    return timed(step, fmt::format("hvi::device::time_at(x, by.t[{}])", i));
+}
+
 std::string times_of_lanes(const Step& step) {
     return timed(step, "hvi::detail::lane_row(clock.t)");
 }

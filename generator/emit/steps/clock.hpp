@@ -15,6 +15,9 @@ namespace hvi::gen {
 [[nodiscard]] std::string time_of_stage(const Step& step, std::string_view i, std::string_view s);
 [[nodiscard]] std::string time_of_start(const Step& step, std::string_view s);
 
+/// Returns the time of stage i where a trajectory is a thread.
+[[nodiscard]] std::string time_of_thread(const Step& step, std::string_view i);
+
 /// Return the times of lanes that hold stages, and the time of lanes that hold trajectories.
 [[nodiscard]] std::string times_of_lanes(const Step& step);
 [[nodiscard]] std::string time_of_trajectories(const Step& step, std::string_view expression);

@@ -12,6 +12,7 @@ namespace {
 std::string text_of(const OneStepMethod& method, const Step& step, const EmitOptions& options) {
     switch (step.layout) {
     case Layout::trajectories: return emit_ensemble(method, step, options);
+    case Layout::threads: return emit_threads(method, step, options);
     case Layout::sites: return emit_sites(method, step, options);
     case Layout::one:
     case Layout::stages:
@@ -25,8 +26,7 @@ std::string text_of(const OneStepMethod& method, const Step& step, const EmitOpt
 
 bool has_seldom_solvers(const Step& step) {
     const Iteration* iteration = step.iteration();
-    return iteration != nullptr && iteration->solver == Solver::automatic &&
-           step.layout != Layout::trajectories;
+    return iteration != nullptr && iteration->solver == Solver::automatic && !step.takes_several();
 }
 
 std::string emit_class(const OneStepMethod& method, const Step& step, const EmitOptions& options) {
@@ -40,8 +40,7 @@ std::string emit_class(const OneStepMethod& method, const Step& step, const Emit
 }
 
 std::string emit(const OneStepMethod& method, const Step& step, const EmitOptions& options) {
-    return banner(method, step, options) + "\n#pragma once\n\n" +
-           emit_class(method, step, options);
+    return banner(method, step, options) + "\n#pragma once\n\n" + emit_class(method, step, options);
 }
 
 }  // namespace hvi::gen

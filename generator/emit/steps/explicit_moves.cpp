@@ -59,8 +59,9 @@ private:
         return fmt::format("{} * {}[{}]", weight(move), slope(step_, move), k);
     }
 
-    [[nodiscard]] static std::string weight(const Move& move) {
-        return fmt::format("weights_.{}[{}]", names(move).moved, move.index);
+    [[nodiscard]] std::string weight(const Move& move) const {
+        return fmt::format("{}.{}[{}]", step_.layout == Layout::threads ? "by" : "weights_",
+                           names(move).moved, move.index);
     }
 
     /// Where p, or q, is: of one trajectory in the state until it is moved.
@@ -92,7 +93,9 @@ private:
         if (!keeps(step_, move.kick) || other_moved) {
             writer_.line("{}", call);
         } else if (dimension_) {
-            writer_.line("if (!x.carried.is_known) {{ {} }}", call);
+            writer_.line("if (!{}) {{ {} }}",
+                         step_.layout == Layout::threads ? "x.knows_slope" : "x.carried.is_known",
+                         call);
         } else {
             writer_.line("const bool kept = known_ && sums_.continues();");
             writer_.line("known_ = false;");
@@ -130,11 +133,15 @@ bool keeps(const Step& step, bool of_kick) {
 
 std::string slope(const Step& step, const Move& move) {
     if (!keeps(step, move.kick)) { return "slope"; }
-    return step.layout == Layout::trajectories ? "kept" : std::string(names(move).kept);
+    return step.takes_several() ? "kept" : std::string(names(move).kept);
 }
 
 std::string size(const Step& step, const Move& move) {
     const StageValue& value = (move.kick ? step.positions : step.momenta)[move.index];
+    if (step.layout == Layout::threads) {
+        return equal(value.weight, 1) ? "by.h"
+                                      : fmt::format("by.{}[{}]", names(move).moved, move.index);
+    }
     return equal(value.weight, 1)
                ? "h"
                : fmt::format("h * {}{}[{}]", owner(step, "s_"), names(move).weights, move.index);
@@ -147,9 +154,15 @@ std::string change(const Step& step, const Move& move, std::string_view k) {
 std::string evaluation(const Step& step, const Move& move, std::string_view at) {
     const std::string point(at);
     const std::string i = std::to_string(move.index);
-    const std::string time = step.layout == Layout::trajectories
-                                 ? time_of_trajectories(step, fmt::format("x.clock.at(c[{}])", i))
-                                 : time_of_stage(step, i, "s_");
+    const auto time_of = [&]() -> std::string {
+        switch (step.layout) {
+        case Layout::trajectories:
+            return time_of_trajectories(step, fmt::format("x.clock.at(c[{}])", i));
+        case Layout::threads: return time_of_thread(step, i);
+        default: return time_of_stage(step, i, "s_");
+        }
+    };
+    const std::string time = time_of();
     const std::string out = slope(step, move);
     const SlopePoint where{point, point, time};
     const std::string call =
@@ -206,6 +219,12 @@ std::string ensemble_moves_text(const Step& step, Sums sums, std::size_t dimensi
         writer.line("{});", end);
     }
     return writer.line("return x.status();").str();
+}
+
+std::string thread_moves_text(const Step& step, Sums sums, std::size_t dimension) {
+    Writer writer(2);
+    SummedMoves(writer, step, sums, dimension).write_all();
+    return writer.str();
 }
 
 std::string weights_member(const Step& step) {

@@ -54,6 +54,9 @@ struct MoveNames {
 /// The step of trajectories side by side.
 [[nodiscard]] std::string ensemble_moves_text(const Step& step, Sums sums, std::size_t dimension);
 
+/// The moves of a step whose trajectories are threads.
+[[nodiscard]] std::string thread_moves_text(const Step& step, Sums sums, std::size_t dimension);
+
 /// The references to vectors that a step computes in.
 [[nodiscard]] std::string scratch_text(const std::vector<std::string>& names);
 

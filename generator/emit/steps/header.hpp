@@ -37,6 +37,10 @@ struct NewtonPolicy {
 [[nodiscard]] std::string emit_ensemble(const OneStepMethod& method, const Step& step,
                                         const EmitOptions& options);
 
+/// Returns the header for trajectories that are threads of a GPU.
+[[nodiscard]] std::string emit_threads(const OneStepMethod& method, const Step& step,
+                                       const EmitOptions& options);
+
 /// Returns the header for kicks and drifts that sweep over the sites of a lattice.
 [[nodiscard]] std::string emit_sites(const OneStepMethod& method, const Step& step,
                                      const EmitOptions& options);

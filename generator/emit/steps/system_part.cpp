@@ -81,10 +81,12 @@ std::string_view numbers(const SceneWishes& wishes) {
 }
 
 /// The scene, its method and its numbers.
-std::string purpose_for_scene(const Provenance& provenance, const EmitOptions& options) {
+std::string purpose_for_scene(const Provenance& provenance, const Step& step,
+                              const EmitOptions& options) {
     const System& scene = *options.system;
     const StateVectors vectors = vectors_of(scene);
     const bool is_any_size = vectors == StateVectors::any_size;
+    const bool are_threads = step.layout == Layout::threads;
     std::string method = provenance.name;
     if (method.empty()) {
         method = is_any_size ? "a method of its own" : "a method of its own basis and nodes";
@@ -92,13 +94,13 @@ std::string purpose_for_scene(const Provenance& provenance, const EmitOptions& o
     const std::string what = scene.name.empty() ? "This Hamiltonian" : "The scene " + scene.name;
     std::string_view states;
     if (is_any_size) { states = " States hold std::vector."; }
-    if (vectors == StateVectors::numbers) {
+    if (vectors == StateVectors::numbers && !are_threads) {
         states = " States hold Numbers: arrays, or vectors of Eigen of fixed size.";
     }
     Writer writer(0);
     writer.comment(fmt::format("{}{} with {}, computed in Number: {}.{}", what,
-                               is_any_size ? " of any size" : "", method, numbers(options.wishes),
-                               states),
+                               is_any_size ? " of any size" : "", method,
+                               are_threads ? "float or double" : numbers(options.wishes), states),
                    "/// ");
     if (!scene.description.empty()) { writer.comment(scene.description, "/// "); }
     return writer.str();
@@ -129,14 +131,14 @@ std::string solver_type(const Step& step, SeldomSolvers seldom) {
 }
 
 /// Vectors, and what else there is by their container.
-std::string vector_types(const System& system) {
+std::string vector_types(const Step& step, const System& system) {
     Writer writer(1);
     const StateVectors vectors = vectors_of(system);
     if (vectors == StateVectors::bodies) {
         writer.line("using Space = hvi::detail::ChartSpace<Number, {}, {}>;",
                     flat_coordinates(system), rotations_of(system));
     }
-    writer.line("using Vector = {};", vector_type(system));
+    if (step.layout != Layout::threads) { writer.line("using Vector = {};", vector_type(system)); }
     if (vectors == StateVectors::bodies) { writer.blank().insert(bodies_text(system)); }
     if (vectors == StateVectors::any_size) {
         writer.line("using Place = std::ptrdiff_t;");
@@ -158,11 +160,11 @@ std::string parameters_from(std::string_view class_name) {
 std::string types_for_scene(const Step& step, const EmitOptions& options) {
     const System& system = *options.system;
     Writer writer(1);
-    writer.line("using Scalar = Number;").insert(vector_types(system));
-    writer.blank().insert(options.parameters_of.empty() ? parameters_text(system)
+    writer.line("using Scalar = Number;").insert(vector_types(step, system));
+    writer.blank().insert(options.parameters_of.empty() ? parameters_text(system, step)
                                                         : parameters_from(options.parameters_of));
     writer.blank().insert(system_text(system, options.wishes, step, options.evaluations));
-    if (step.iteration() != nullptr && step.layout != Layout::trajectories) {
+    if (step.iteration() != nullptr && !step.takes_several()) {
         writer.blank().line("using Solver = {};", solver_type(step, options.seldom));
     }
     writer.insert(type_of_along(step, options.evaluations));
@@ -249,7 +251,14 @@ std::string condition_on_numbers(const SceneWishes& wishes) {
     return writer.str();
 }
 
-std::string conditions_for_scene(const System& system, const SceneWishes& wishes) {
+std::string conditions_for_scene(const System& system, const Step& step,
+                                 const SceneWishes& wishes) {
+    if (step.layout == Layout::threads) {
+        return Writer(1)
+            .line("static_assert(hvi::device::computes_in<Number>,")
+            .line("              \"hvi: a GPU computes in float or double\");")
+            .str();
+    }
     if (vectors_of(system) != StateVectors::numbers) { return condition_on_numbers(wishes); }
     Writer writer(1);
     writer.insert(condition_on_numbers(wishes));
@@ -266,17 +275,19 @@ SystemPart for_scene(const Provenance& provenance, const Step& step, const EmitO
     SystemPart part;
     part.include = own_includes(system.own_headers) +
                    includes_of_class(system, options.wishes, step, options.evaluations);
-    part.purpose = purpose_for_scene(provenance, options);
+    part.purpose = purpose_for_scene(provenance, step, options);
     part.class_name = "Basic" + options.class_name;
     part.head = "template <class Number>";
-    if (vectors_of(system) == StateVectors::numbers) {
+    if (vectors_of(system) == StateVectors::numbers && step.layout != Layout::threads) {
         part.head = fmt::format("template <class Number, class Numbers = std::array<Number, {}>>",
                                 system.degrees_of_freedom());
     }
-    part.condition = conditions_for_scene(system, options.wishes);
+    part.condition = conditions_for_scene(system, step, options.wishes);
     part.types = types_for_scene(step, options);
     part.state = vectors_of(system) == StateVectors::bodies ? "Bodies" : state_type(step);
-    part.construct = constructors_for_scene(step, options, part.class_name);
+    if (step.layout != Layout::threads) {
+        part.construct = constructors_for_scene(step, options, part.class_name);
+    }
     part.alias = fmt::format("using {} = {}<double>;", options.class_name, part.class_name);
     return part;
 }

@@ -65,7 +65,10 @@ NodeNames variable_names(const System& system) {
 }
 
 ClassNames::ClassNames(const System& system, Constants constants)
-    : system_(system), graph_(system.graph), constants_of_(constants), inputs_(inputs_of(system)) {}
+    : system_(system), graph_(system.graph), constants_of_(constants), inputs_(inputs_of(system)) {
+    if (constants != Constants::are_of_device) { return; }
+    for (auto& [node, name] : inputs_) { name = fmt::format("Scalar({})", name); }
+}
 
 void ClassNames::name_constants(const Kernel& kernel) {
     for (const Node node : kernel.given) {
@@ -74,7 +77,8 @@ void ClassNames::name_constants(const Kernel& kernel) {
             continue;
         }
         constants_.push_back(node);
-        names_[node] = fmt::format("k{}", constants_.size());
+        names_[node] = fmt::format("k{}{}", constants_.size(),
+                                   constants_of_ == Constants::are_of_device ? "()" : "");
     }
 }
 
@@ -93,7 +97,7 @@ NodeNames ClassNames::given(const Kernel& kernel, const NodeNames& locals) {
 }
 
 NodeNames ClassNames::converted(NodeNames names, std::string_view value) const {
-    if (constants_of_ == Constants::are_numbers) { return names; }
+    if (constants_of_ != Constants::are_of_template) { return names; }
     for (const Node node : members_) {
         const auto found = names.find(node);
         if (found != names.end()) { found->second = fmt::format("{}({})", value, found->second); }
@@ -135,10 +139,16 @@ void ClassNames::write_copy_to_lane(Writer& writer) const {
 }
 
 void ClassNames::write_data(Writer& writer) const {
-    const std::string_view type = constants_of_ == Constants::are_numbers ? "Scalar" : "Constant";
-    const std::string_view zero = constants_of_ == Constants::are_numbers ? " = 0" : "{}";
+    const bool are_of_template = constants_of_ == Constants::are_of_template;
+    const std::string_view type = are_of_template ? "Constant" : "Scalar";
+    const std::string_view zero = are_of_template ? "{}" : " = 0";
     for (std::size_t k = 0; k < constants_.size(); ++k) {
         const Expression& value = graph_.at(constants_[k]).constant;
+        if (constants_of_ == Constants::are_of_device) {
+            writer.line("HVI_DEVICE static constexpr Scalar k{}() {{ return {}; }}  // {}", k + 1,
+                        device_initializer(value), to_text(value));
+            continue;
+        }
         writer.line("static constexpr Scalar k{} = {};  // {}", k + 1, initializer(value),
                     to_text(value));
     }

@@ -14,8 +14,9 @@
 namespace hvi::gen {
 
 /// Values that are made of parameters: numbers, or of a type `Constant` that the class is given,
-/// which is a number or has one for each trajectory.
-enum class Constants { are_numbers, are_of_template };
+/// which is a number or has one for each trajectory. On a device they are numbers, and constants
+/// stand in functions.
+enum class Constants { are_numbers, are_of_template, are_of_device };
 
 /// Names of values that evaluations are given. Constants are k1, k2, ..., and values made of
 /// parameters are c1_, c2_, ..., which the constructor computes; sizes are members, `N_`.

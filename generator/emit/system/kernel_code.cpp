@@ -163,7 +163,8 @@ private:
         if (is_own_function(name)) { return of_user(computation); }
         if (is_smooth(name)) { return call(name, computation); }
         const std::string function = !is_if(name) ? name : name == "if<" ? "if_less" : "if_at_most";
-        return {fmt::format("hvi::math::{}<{}>({})", function, value_, arguments(computation))};
+        const std::string_view runtime = library_ == "std" ? "hvi::math" : library_;
+        return {fmt::format("{}::{}<{}>({})", runtime, function, value_, arguments(computation))};
     }
 
     /// Returns a call of a user's template for one number. NOTE: with its type, so that a function

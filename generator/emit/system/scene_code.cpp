@@ -36,7 +36,7 @@ std::vector<ParameterMember> members_of(const std::vector<SystemParameter>& para
     return members;
 }
 
-void write_parameter(Writer& writer, const ParameterMember& member) {
+void write_parameter(Writer& writer, const ParameterMember& member, std::string_view array) {
     const auto line = [&](const SystemParameter& parameter, std::string_view begin,
                           std::string_view end) {
         writer.line("{}{}{}  // {} = {}", begin, initializer(parameter.value), end, parameter.name,
@@ -46,7 +46,7 @@ void write_parameter(Writer& writer, const ParameterMember& member) {
         line(*member.parameters.front(), fmt::format("Scalar {} = ", member.name), ";");
         return;
     }
-    writer.open("std::array<Scalar, {}> {}{{{{", member.parameters.size(), member.name);
+    writer.open("{}<Scalar, {}> {}{{{{", array, member.parameters.size(), member.name);
     for (const SystemParameter* parameter : member.parameters) { line(*parameter, "", ","); }
     writer.close("}};");
 }
@@ -193,6 +193,16 @@ Rounded rounded_value(const Expression& expression) {
     });
 }
 
+std::string device_initializer(const Expression& expression) {
+    const Rounded value = rounded_value(expression);
+    const auto& [single, twice, extended, quadruple] = value;
+    HVI_CHECK(twice);
+    if (single == twice) { return fmt::format("Scalar({})", literal(twice->to_double())); }
+    return fmt::format("hvi::device::constant<Scalar>({}, {})",
+                       literal(single ? static_cast<float>(single->to_double()) : 0.0F),
+                       literal(twice->to_double()));
+}
+
 std::string initializer(const Expression& expression) {
     const std::string name = to_text(expression);
     return qualified_initializer(Constant{name, rounded_value(expression), name});
@@ -210,7 +220,8 @@ NodeNames parameter_names(const System& system) {
     return names;
 }
 
-std::string parameters_text(const System& system) {
+std::string parameters_text(const System& system, const Step& step) {
+    const bool are_threads = step.layout == Layout::threads;
     Writer writer(1);
     writer.line("/// As the scene has them.").open("struct Parameters {{");
     if (vectors_of(system) == StateVectors::any_size) {
@@ -219,7 +230,7 @@ std::string parameters_text(const System& system) {
         }
     }
     for (const ParameterMember& member : members_of(system.parameters)) {
-        write_parameter(writer, member);
+        write_parameter(writer, member, are_threads ? "hvi::device::Vector" : "std::array");
     }
     for (const SystemTable& table : system.tables) { write_table(writer, table); }
     write_numbers_in_files(writer, system);

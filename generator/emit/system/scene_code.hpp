@@ -45,7 +45,7 @@ void check_members(const WrittenOutScene& scene, const SceneWishes& wishes);
 [[nodiscard]] NodeNames parameter_names(const System& system);
 
 /// Returns `struct Parameters`, with numbers, tables and sizes of the scene as defaults.
-[[nodiscard]] std::string parameters_text(const System& system);
+[[nodiscard]] std::string parameters_text(const System& system, const Step& step);
 
 /// Kinds of vectors in states of a scene.
 enum class StateVectors {
@@ -77,5 +77,8 @@ enum class StateVectors {
 /// Returns an expression without symbols as the initial value of a Scalar. Throws as
 /// evaluate_number() and initializer() do.
 [[nodiscard]] std::string initializer(const Expression& expression);
+
+/// Returns the initial value in functions of a device, in float or double.
+[[nodiscard]] std::string device_initializer(const Expression& expression);
 
 }  // namespace hvi::gen

@@ -39,6 +39,7 @@ bool calls_lane_functions(const System& system) {
 }
 
 std::string include_of_arrays(const System& system, const Step& step, const SceneWishes& wishes) {
+    if (step.layout == Layout::threads) { return {}; }
     std::string text = "#include <array>\n#include <cmath>";
     if (wishes.evaluations) { text += "\n#include <cstdint>"; }
     // NOTE: explicit steppers carry a copy of it.
@@ -99,8 +100,10 @@ std::string text_of(const Argument& argument) {
     return (argument.is_used ? "" : "[[maybe_unused]] ") + argument.text;
 }
 
-/// Returns the line of a function up to its body.
-std::string signature(const SystemFunction& function) {
+/// Returns the line of a function up to its body. NOTE: on a device no product is a constant
+/// expression.
+std::string signature(const SystemFunction& function, Constants constants) {
+    const bool is_of_device = constants == Constants::are_of_device;
     const auto* code = std::get_if<StraightCode>(&function.body);
     const bool is_static = code != nullptr && code->has_parameters;
     std::vector<std::string> arguments;
@@ -108,9 +111,10 @@ std::string signature(const SystemFunction& function) {
     const std::string_view attribute = function.returns != "void" ? "[[nodiscard]] "
                                        : function.is_inlined      ? "HVI_INLINE_IN_LANES "
                                                                   : "";
-    return fmt::format("{}{}{}{} {}({}){}", attribute, is_static ? "static " : "",
-                       code != nullptr ? "constexpr " : "", function.returns, function.name,
-                       fmt::join(arguments, ", "), is_static ? "" : " const");
+    return fmt::format("{}{}{}{}{} {}({}){}", attribute, is_of_device ? "HVI_DEVICE " : "",
+                       is_static ? "static " : "",
+                       code != nullptr && !is_of_device ? "constexpr " : "", function.returns,
+                       function.name, fmt::join(arguments, ", "), is_static ? "" : " const");
 }
 
 /// Returns whether sums over pairs are cut into chunks.
@@ -121,8 +125,11 @@ bool has_chunks(const std::vector<SystemFunction>& functions) {
 }
 
 Constants constants_of(const Step& step) {
-    return step.layout == Layout::trajectories ? Constants::are_of_template
-                                               : Constants::are_numbers;
+    switch (step.layout) {
+    case Layout::trajectories: return Constants::are_of_template;
+    case Layout::threads: return Constants::are_of_device;
+    default: return Constants::are_numbers;
+    }
 }
 
 /// Writes the class: its functions as listed, and the members that they need.
@@ -136,7 +143,9 @@ public:
           has_loops_(evaluations == nullptr),
           constants_(constants_of(step)),
           counts_(counts_evaluations(wishes, step)),
-          library_(has_loops_ ? "hvi::math" : library(wishes)),
+          library_(has_loops_                       ? "hvi::math"
+                   : step.layout == Layout::threads ? "hvi::device"
+                                                    : library(wishes)),
           functions_(functions_of_class(system, wishes, step, evaluations)),
           names_(system, constants_),
           loops_(system, names_),
@@ -180,13 +189,13 @@ private:
         std::visit([&](const auto& body) { write_whole(writer, function, body); }, function.body);
     }
 
-    static void write_whole(Writer& writer, const SystemFunction& function, const OneLine& body) {
-        writer.line("{} {{ {} }}", signature(function), body.statement);
+    void write_whole(Writer& writer, const SystemFunction& function, const OneLine& body) {
+        writer.line("{} {{ {} }}", signature(function, constants_), body.statement);
     }
 
     template <class Body>
     void write_whole(Writer& writer, const SystemFunction& function, const Body& body) {
-        writer.open("{} {{", signature(function));
+        writer.open("{} {{", signature(function, constants_));
         if (function.is_counted) { write_count(writer, function.body); }
         write_body(writer, body);
         writer.close();
@@ -238,7 +247,13 @@ private:
 
     void write_types(Writer& writer) const {
         if (has_loops_) { writer.line("using Scalar = Number;"); }
-        writer.line("using Vector = {};", vector_type(system_));
+        if (constants_ == Constants::are_of_device) {
+            writer.line("using Scalar = hvi::device::Real<Number>;");
+            writer.line("using Vector = hvi::device::Vector<Scalar, {}>;",
+                        system_.degrees_of_freedom());
+        } else {
+            writer.line("using Vector = {};", vector_type(system_));
+        }
         if (!has_loops_ && rotations_of(system_) > 0) {
             writer.line("using Positions = typename Space::Positions;");
         }
@@ -253,6 +268,11 @@ private:
         }
     }
 
+    [[nodiscard]] std::string_view before_constructor() const {
+        if (constants_ == Constants::are_of_device) { return "HVI_DEVICE "; }
+        return has_loops_ ? "" : "constexpr ";
+    }
+
     void write_constructor(Writer& writer) {
         Writer body(2);
         std::vector<std::string> members;
@@ -265,8 +285,8 @@ private:
         const std::string arguments =
             text_of({"const Parameters& parameters", names_.uses_inputs() || has_tables});
         const std::string head =
-            fmt::format("{}explicit {}({}{})", has_loops_ ? "" : "constexpr ", class_name(),
-                        arguments, has_loops_ ? sizes_.threads() : "");
+            fmt::format("{}explicit {}({}{})", before_constructor(), class_name(), arguments,
+                        has_loops_ ? sizes_.threads() : "");
         if (members.empty()) {
             writer.open("{} {{", head);
         } else {

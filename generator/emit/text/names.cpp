@@ -55,12 +55,12 @@ constexpr std::array<std::string_view, 92> keywords{
 
 /// Names that have another meaning where the class is declared: members, template parameters, and
 /// names of hvi.
-constexpr std::array<std::string_view, 36> taken{
+constexpr std::array<std::string_view, 37> taken{
     "System",     "Solver",    "Vector", "State",      "Status", "Index",   "Coupled", "Stages",
     "Sum",        "step",      "reset",  "Trajectory", "Values", "predict", "system_", "s_",
     "solver_",    "tangents_", "force_", "p_",         "q_",     "slope_",  "known_",  "velocity_",
     "m",          "mt",        "N",      "b",          "b_q",    "b_p",     "hvi",     "std",
-    "FixedPoint", "Newton",    "Scalar", "rounded",
+    "FixedPoint", "Newton",    "Scalar", "rounded",    "Steps",
 };
 
 /// Names that are taken where the constructor takes a parameter.

@@ -49,7 +49,7 @@ flag: --separable | --energy | --invariants | --evaluations | --dense | --action
     | --generating | --peers | --edges | --tangent | --help | --version | -h | -- | - | -o | --method
 scene: kepler | pendulum | keplr | qp | SCENE | bash
 value: <number> | <word> | <named> | json | text | latex | markdown | csv | auto | newton | stages
-    | ensemble | none | <composition> | 1e-6 | 0.5 | work,stiff | html, json | gauss:2, trig3 | q, p
+    | ensemble | gpu | none | <composition> | 1e-6 | 0.5 | work,stiff | html, json | gauss:2, trig3 | q, p
     | <$name>=<number> | 1, cos(pi*tau) | 0, 1 | p^2/2 + q^2/2 | 99999999999999999999 | -1
 word: "" | x | -x | --x | --x=1 | = | --method= | é | %s | \ | ' | a b | tablaeu
     | <number> | <name>
@@ -118,7 +118,7 @@ evaluations: _ | ~--evaluations
 float128: _ | _ | ~--float128
 method: _ | ~--method~<named>
 solver: _ | _ | ~--solver~newton | ~--solver~fixed-point | ~--solver~newton-taylor
-lanes: _ | _ | ~--lanes~stages | ~--lanes~ensemble | ~--lanes~none
+lanes: _ | _ | ~--lanes~stages | ~--lanes~ensemble | ~--lanes~gpu | ~--lanes~none
 compose: _ | _ | _ | ~--compose~<composition>
 class: _ | _ | ~--name~<name>
 hamiltonian: --hamiltonian~<h>+<$name>*q~--param~<$name>=<number>

@@ -146,4 +146,9 @@ TEST_CASE("what cannot be had leaves a step that does not contradict itself") {
     const Step plain =
         plan({tableaux::verlet()}, {.is_separable = true}, {.lanes = Lanes::ensemble});
     CHECK(plain.layout == Layout::trajectories);
+    const Step thread = plan({tableaux::verlet()}, {.is_separable = true}, {.lanes = Lanes::gpu});
+    CHECK(thread.layout == Layout::threads);
+    const Step no_thread =
+        plan({tableaux::verlet()}, {.is_separable = true}, {.lanes = Lanes::gpu, .curve = true});
+    CHECK(no_thread.layout == Layout::one);
 }

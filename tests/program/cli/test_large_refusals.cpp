@@ -127,7 +127,8 @@ TEST_CASE("what steppers of large scenes are not built for is refused, with its 
     check(2, "1..N", {"--method", "gauss:2", "--param", "N=0"});
     check(2, "graph", {"--method", "gauss:2", "--dump", "graph"});
     const std::vector<std::vector<std::string>> wishes = {
-        {"--lanes", "ensemble"}, {"--lanes", "stages"}, {"--solver", "newton-taylor"}};
+        {"--lanes", "ensemble"}, {"--lanes", "gpu"}, {"--lanes", "stages"},
+        {"--solver", "newton-taylor"}};
     for (const std::vector<std::string>& wish : wishes) {
         std::vector<std::string> words{"--method", "gauss:2", wish[0], wish[1]};
         // These are written out, which a thousand are too many for.

@@ -1,0 +1,17 @@
+// Kernels whose text for a card a test runs on the host.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <device/gauss_2_double_pendulum.hpp>
+#include <device/kahan_li_kepler.hpp>
+#include <device/verlet_functions.hpp>
+#include <hvi/device.hpp>
+
+namespace made = hvi::generated;
+
+#define HVI_KERNELS_TO_RUN(take)                                                                   \
+    take(functions, made::BasicVerletFunctionsThreads<double>)                                     \
+        take(functions_in_float, made::BasicVerletFunctionsThreads<float>)                         \
+            take(kepler, made::BasicKahanLiKeplerThreads<double>)                                  \
+                take(kepler_in_float, made::BasicKahanLiKeplerThreads<float>)                      \
+                    take(double_pendulum, made::BasicGauss2DoublePendulumThreads<double>)
