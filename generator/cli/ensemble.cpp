@@ -144,6 +144,7 @@ void run(const EnsembleOptions& options) {
     check_parameters(both, source.names());
     RowPlan plan(both.scene, stepper, source.names(), step, until);
     EnsembleWork work{both.scene, std::move(stepper), std::move(plan)};
+    work.wishes.looks_at_end = work.stepper.step.container == Container::vectors;
     if (options.megno) {
         work.wishes.growth = true;
         SceneStepper directions = directions_of(both, work.stepper, wishes);

@@ -100,7 +100,8 @@ private:
 
     void reduce() {
         if (!reductions_.any()) return;
-        if (wishes_.looks_at_end) invariants_.see(stepper_, x_);
+        const bool costs = wishes_.looks_at_end && reductions_.any_from(count_of_variables());
+        if (costs) invariants_.see(stepper_, x_);
         reductions_.see(run_.t, value_now());
     }
 
@@ -133,10 +134,14 @@ private:
         return static_cast<std::size_t>(run_.run.status.code());
     }
 
+    [[nodiscard]] std::size_t hidden() const { return start_.clock ? 1 : 0; }
+    [[nodiscard]] std::size_t count_of_variables() const {
+        return x_.q.size() + x_.p.size() - 2 * hidden();
+    }
+
     /// Returns a value by its column number. NOTE: a scaled time and its momentum are no columns.
     [[nodiscard]] double value(std::size_t number) const {
-        const std::size_t n = x_.q.size() - (start_.clock ? 1 : 0);
-        const std::size_t end = n + x_.p.size() - (start_.clock ? 1 : 0);
+        const std::size_t n = x_.q.size() - hidden(), end = count_of_variables();
         if (number < n) return x_.q[number];
         return number < end ? x_.p[number - n] : invariants_.values()[number - end];
     }
@@ -159,12 +164,8 @@ private:
 void add_growth(const RowStart& start, double rest, RowEnd& end) {
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
     DrivenProblem::make = start.make_directions;
-    const TangentWishes wishes{.h = start.h,
-                               .steps = end.steps,
-                               .rest = rest,
-                               .largest = true,
-                               .t = end.t,
-                               .motion = start.motion};
+    const TangentWishes wishes{
+        .h = start.h, .steps = end.steps, .rest = rest, .largest = true, .t = end.t};
     const bool is_there = end.status == number_of(RowStatus::ok) && end.steps > 0;
     const auto see = [](std::int64_t) {
         if (is_stopped()) throw RowIsStopped();

@@ -58,12 +58,12 @@ struct RowWishes {
 /// The data of one trajectory.
 struct RowStart {
     MakeStepper make;
-    MakeStepper make_directions = {};  ///< steppers that carry directions along, for the growth
+    /// Steppers that carry directions along, for the growth. Time is not scaled then.
+    MakeStepper make_directions = {};
     double h = 0;
     std::int64_t steps = 0;
     std::optional<ScaledClock> clock = {};  ///< then `steps` is the most that are taken
     std::shared_ptr<const std::vector<DrivenEvent>> events = {};
-    FindMotion motion = {};  ///< of scaled time, for the growth
 };
 
 /// The end of one trajectory.

@@ -86,7 +86,7 @@ TEST_CASE("rows have the same bits under mpirun, and ranks that are killed are m
         const Outcome outcome = studies(ranks + "eval \"$ranks " + count + command);
         INFO(outcome.err);
         CHECK(outcome.status == 0);
-        CHECK(outcome.out.find("rows         200: 200 ok\n") != std::string::npos);
+        CHECK(outcome.out.find("rows         200: ") != std::string::npos);
         CHECK(studies.collected() + studies.chunks() == expected);
     }
     const Studies studies;
