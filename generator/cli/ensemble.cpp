@@ -61,23 +61,44 @@ SceneStepper directions_of(const MethodAndScene& both, const SceneStepper& stepp
     return stepper_of_directions(stepper, both.method, both.scene, wishes, what, 1);
 }
 
-std::vector<ColumnBox> columns_of(const RunSubject& subject, const Given& list) {
-    const std::vector<NameBox> names = column_names(subject);
-    if (list) return named_columns(list, names, subject.sizes);
-    std::vector<NameBox> variables = subject.coordinates;
-    variables.insert(variables.end(), subject.momenta.begin(), subject.momenta.end());
-    return usual_columns(variables, variables.size());
+using NamedNumbers = std::vector<std::pair<std::string, std::size_t>>;
+
+NamedNumbers named_numbers(const std::vector<ColumnBox>& columns) {
+    NamedNumbers result;
+    for_each_column(columns, [&](const std::string& name, std::size_t number) {
+        result.emplace_back(name, number);
+    });
+    return result;
 }
 
-/// The names of the columns of a study, in the order in which EnsembleWork writes them.
-std::vector<std::string> column_names_of(const EnsembleWork& work,
-                                         const std::vector<ColumnBox>& columns) {
+/// Columns of the state at the end of a row.
+NamedNumbers state_of(const RunSubject& subject) {
+    std::vector<NameBox> variables = subject.coordinates;
+    variables.insert(variables.end(), subject.momenta.begin(), subject.momenta.end());
+    return named_numbers(usual_columns(variables, variables.size()));
+}
+
+/// Columns that are asked for and are not among those of the state.
+NamedNumbers asked_columns(const RunSubject& subject, const Given& list,
+                           const NamedNumbers& state) {
+    if (!list) return {};
+    NamedNumbers asked = named_numbers(named_columns(list, column_names(subject), subject.sizes));
+    std::erase_if(asked, [&](const auto& column) {
+        return std::find(state.begin(), state.end(), column) != state.end();
+    });
+    return asked;
+}
+
+/// Names of the columns of a study, in the order in which StudyRows writes them.
+std::vector<std::string> column_names_of(const EnsembleWork& work, const NamedNumbers& state,
+                                         const NamedNumbers& asked) {
     std::vector<std::string> names{"row"};
     for (const std::string& name : work.plan.columns()) names.push_back(name);
-    for_each_column(columns, [&](const std::string& name, std::size_t) { names.push_back(name); });
+    for (const auto& column : state) names.push_back(column.first);
     names.insert(names.end(), {"t", status_column, "steps"});
     if (work.has_energy()) names.emplace_back("energy_error");
     for (const std::string& event : work.events()) names.push_back("count(" + event + ")");
+    for (const auto& column : asked) names.push_back(column.first);
     for (const Reduction& each : work.wishes.reductions) names.push_back(each.name);
     if (work.wishes.growth) names.insert(names.end(), {"lyapunov", "megno"});
     return names;
@@ -94,6 +115,7 @@ std::string command_of(const EnsembleOptions& options) {
 std::string key_of(const EnsembleOptions& options, const EnsembleWork& work,
                    const std::vector<std::string>& columns, const RowSource& source) {
     std::string text = fmt::format("{}\n{}\n{}\n", version, work.stepper.header, source.key());
+    for (const OwnHeader& own : work.stepper.own_headers) text += own.text + "\n";
     text += options.interpret ? "interpreted\n" : "compiled\n";
     text += fmt::format("{}\n{}\n", work.scene.text, work.scene.origin);
     for (const Given& given : {options.step, options.until})
@@ -129,54 +151,73 @@ std::size_t workers_of(const EnsembleOptions& options) {
     return std::max(1U, std::thread::hardware_concurrency());
 }
 
-}  // namespace
+/// A study as it is asked for.
+struct AskedStudy {
+    RowSource source;
+    EnsembleWork work;
+    Study study;
+};
 
-void run(const EnsembleOptions& options) {
-    Runner runner(options.interpret);
-    MethodAndScene both = read_scene(options.method, options.system);
-    const SceneTimes times = times_of(both.scene);
+EnsembleWork work_of(const EnsembleOptions& options, const MethodAndScene& both,
+                     const RowSource& source, const SceneTimes& times) {
     const NamedExpression step = wish(times, options.step, times.step, "step"),
                           until = wish(times, options.until, times.until, "until");
     const StepperWishes wishes = wishes_of(options);
     SceneStepper stepper = scene_stepper(both.method, both.scene, wishes);
-    const RunSubject subject = run_subject(stepper);
-    RowSource source(sources_of(options, times));
-    check_parameters(both, source.names());
     RowPlan plan(both.scene, stepper, source.names(), step, until);
     EnsembleWork work{both.scene, std::move(stepper), std::move(plan)};
     work.wishes.looks_at_end = work.stepper.step.container == Container::vectors;
-    if (options.megno) {
-        work.wishes.growth = true;
-        SceneStepper directions = directions_of(both, work.stepper, wishes);
-        RowPlan of_them(both.scene, directions, source.names(), step, until);
-        work.directions.emplace(CarriedDirections{std::move(directions), std::move(of_them)});
-    }
-    const std::vector<ColumnBox> columns = columns_of(subject, options.columns);
-    for_each_column(columns, [&](const std::string&, std::size_t number) {
-        work.wishes.columns.push_back(number);
-    });
+    work.wishes.growth = options.megno;
+    if (!options.megno) return work;
+    SceneStepper directions = directions_of(both, work.stepper, wishes);
+    RowPlan of_them(both.scene, directions, source.names(), step, until);
+    work.directions.emplace(CarriedDirections{std::move(directions), std::move(of_them)});
+    return work;
+}
+
+AskedStudy asked_study(const EnsembleOptions& options) {
+    const MethodAndScene both = read_scene(options.method, options.system);
+    const SceneTimes times = times_of(both.scene);
+    RowSource source(sources_of(options, times));
+    check_parameters(both, source.names());
+    EnsembleWork work = work_of(options, both, source, times);
+    const RunSubject subject = run_subject(work.stepper);
+    const NamedNumbers state = state_of(subject),
+                       asked = asked_columns(subject, options.columns, state);
+    work.count_of_state = state.size();
+    for (const NamedNumbers* columns : {&state, &asked})
+        for (const auto& column : *columns) work.wishes.columns.push_back(column.second);
     if (options.reduce)
         work.wishes.reductions =
             named_reductions(options.reduce, column_names(subject), subject.sizes);
-
     Study study{.directory = directory_of(options, subject),
                 .title = fmt::format("{}, {}", subject.scene, subject.title),
                 .command = command_of(options),
                 .key = "",
                 .rows = source.count(),
                 .rows_in_chunk = rows_in_chunk(options, source.count()),
-                .columns = column_names_of(work, columns)};
+                .columns = column_names_of(work, state, asked)};
     study.key = key_of(options, work, study.columns, source);
     check_map(study, options.map);
+    return {std::move(source), std::move(work), std::move(study)};
+}
+
+}  // namespace
+
+void run(const EnsembleOptions& options) {
+    Runner runner(options.interpret);
+    const AskedStudy asked = asked_study(options);
+    const Study& study = asked.study;
     if (options.launcher == Launcher::slurm)
         return write_standard_output(slurm_script(study, options.words, *options.workers));
 
     const InterruptionsHeld held;
     if (options.launcher == Launcher::mpi)
-        return compute_by_ranks(study, work, source, runner,
+        return compute_by_ranks(study, asked.work, asked.source, runner,
                                 [&] { write_results(study, options); });
     begin(study);
-    if (!compute(study, work, source, workers_of(options), runner)) return;  // interrupted
+    if (!compute(study, asked.work, asked.source, workers_of(options), runner))
+        return;  // interrupted: as soon as this is left, the program ends
     write_results(study, options);
 }
 

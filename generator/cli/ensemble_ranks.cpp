@@ -21,15 +21,6 @@ void heed_all_signals() {
         std::signal(signal, [](int) { std::raise(SIGTERM); });
 }
 
-/// Compiles solvers that steps seldom call. NOTE: ranks do not begin anew where they are missing.
-void compile_solvers(const Targets& targets) {
-    for (const Target* target :
-         {&targets.steppers, targets.directions ? &*targets.directions : nullptr}) {
-        const auto* library = target == nullptr ? nullptr : std::get_if<Library>(target);
-        if (library != nullptr && library->solvers) library->solvers->compile();
-    }
-}
-
 /// Computes the chunks that are handed to this rank, and on rank 0 shows how many are handed out.
 void compute_on(const MpiRank& rank, const Study& study, StudyRows& rows) {
     const std::vector<std::int64_t> todo = missing_chunks(study);
@@ -48,7 +39,7 @@ void compute_on(const MpiRank& rank, const Study& study, StudyRows& rows) {
 void compute_by_ranks(const Study& study, const EnsembleWork& work, const RowSource& source,
                       Runner& runner, const std::function<void()>& finish) {
     const Targets targets = targets_of(work, runner);
-    compile_solvers(targets);
+    targets.compile_solvers();  // as ranks do not begin anew where they are missing
     under_mpi([&](const MpiRank& rank) {
         if (rank.number() == 0) begin(study);
         rank.meet();

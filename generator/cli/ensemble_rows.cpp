@@ -18,6 +18,17 @@ bool EnsembleWork::has_energy() const {
     return !names.empty() && names.front() == "energy";
 }
 
+bool Targets::compile_solvers() const {
+    bool some_were_missing = false;
+    for (const Target* target : {&steppers, directions ? &*directions : nullptr}) {
+        const auto* library = target == nullptr ? nullptr : std::get_if<Library>(target);
+        if (library == nullptr || !library->solvers || library->solvers->file()) continue;
+        library->solvers->compile();
+        some_were_missing = true;
+    }
+    return some_were_missing;
+}
+
 std::optional<std::vector<double>> StudyRows::at(std::int64_t number) {
     const std::vector<double> values = source_.at(number);
     const std::optional<RowEnd> end = end_of(values);
@@ -56,11 +67,13 @@ RowEnd StudyRows::none(RowStatus fault) const {
 
 /// Adds what there is of an end, in the order of the columns of a study.
 void StudyRows::add(const RowEnd& end, std::vector<double>& row) const {
-    row.insert(row.end(), end.columns.begin(), end.columns.end());
+    const auto asked = end.columns.begin() + static_cast<std::ptrdiff_t>(work_.count_of_state);
+    row.insert(row.end(), end.columns.begin(), asked);
     row.insert(row.end(), {end.t, static_cast<double>(end.status), static_cast<double>(end.steps)});
     if (work_.has_energy()) row.push_back(end.energy_error);
     for (std::size_t k = 0; k < work_.scene.events.size(); ++k)
         row.push_back(static_cast<double>(end.events[k]));
+    row.insert(row.end(), asked, end.columns.end());
     row.insert(row.end(), end.reduced.begin(), end.reduced.end());
     if (work_.wishes.growth) row.insert(row.end(), {end.lyapunov, end.megno});
 }

@@ -26,7 +26,8 @@ struct EnsembleWork {
     Scene scene;
     SceneStepper stepper;
     RowPlan plan;
-    RowWishes wishes = {};
+    RowWishes wishes = {};           ///< its columns are the state, then those that are asked for
+    std::size_t count_of_state = 0;  ///< columns of the state
     std::optional<CarriedDirections> directions = {};
 
     /// Returns the names of the events that are counted.
@@ -46,7 +47,11 @@ struct Targets {
     Target steppers;
     std::optional<Target> directions = {};
 
-    /// Loads them. Throws as steppers_of() does.
+    /// Compiles solvers that steps seldom call. Returns whether some were missing. Throws as their
+    /// build does.
+    bool compile_solvers() const;
+
+    /// Loads the steppers. Throws as steppers_of() does.
     [[nodiscard]] Families families() const {
         return {steppers_of(steppers), directions ? steppers_of(*directions) : StepperFamily()};
     }

@@ -59,7 +59,6 @@ int work_on(const Study& study, StudyRows& rows) {
                     [&] { reports(); });
                 if (!is_whole || is_stopped()) break;
             }
-            driver::say("others", claims.held_by_others());
             return 0;
         });
     } catch (const detail::SolverIsApart&) { return solver_is_apart; }
@@ -141,10 +140,9 @@ bool compute(const Study& study, const EnsembleWork& work, const RowSource& sour
                 return work_on(study, rows);
             },
             [&](std::size_t worker, std::string_view line) { hearing.hear(worker, line); });
-        if (!are_solvers_apart(ended, hearing.fault())) break;
-        Runner::compile_solvers(targets.steppers);
+        if (!are_solvers_apart(ended, hearing.fault())) return !is_interrupted();
+        if (!targets.compile_solvers()) throw solver_is_missing();
     }
-    return !is_interrupted();
 }
 
 }  // namespace hvi::gen

@@ -107,7 +107,7 @@ struct EnsembleOptions {
     SystemOptions system;  ///< a scene
     StepperWishes wishes;  ///< solver, sums and composition alone
     Given step, until;     ///< in place of the scene's
-    Given columns;         ///< columns at the end, in place of all variables
+    Given columns;         ///< columns at the end, beside the state
     Given reduce;          ///< functions of columns, over all steps
     bool megno = false;
     Given initial;                   ///< a file of starts and parameters

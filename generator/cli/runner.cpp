@@ -38,10 +38,4 @@ Target Runner::target(const SceneStepper& stepper) {
     return Interpreted{interpretations(stepper), driven_system(stepper.system).numbers};
 }
 
-void Runner::compile_solvers(const Target& target) {
-    const auto* library = std::get_if<Library>(&target);
-    if (library == nullptr || !library->solvers) throw solver_is_missing();
-    library->solvers->compile();
-}
-
 }  // namespace hvi::gen

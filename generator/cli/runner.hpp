@@ -26,10 +26,6 @@ public:
     /// either. Preconditions: begin() was called with the stepper, which lives longer.
     [[nodiscard]] Target target(const SceneStepper& stepper);
 
-    /// Compiles solvers that the steps of a target have called for, and that it lacks. Throws
-    /// EnvironmentError where there is no compiler, and as their build does.
-    static void compile_solvers(const Target& target);
-
 private:
     std::optional<Place> interpret_;
     std::optional<Compiler> compiler_;

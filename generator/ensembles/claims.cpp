@@ -162,9 +162,7 @@ std::optional<std::int64_t> LockClaims::next() {
     while (looked_at_ < study_.chunks()) {
         const std::int64_t chunk = (first_ + looked_at_) % study_.chunks();
         ++looked_at_;
-        if (is_done(study_, chunk)) continue;
-        if (claim(chunk)) return chunk;
-        ++held_by_others_;
+        if (!is_done(study_, chunk) && claim(chunk)) return chunk;
     }
     return {};
 }

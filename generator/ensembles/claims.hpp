@@ -27,15 +27,12 @@ public:
     /// EnvironmentError.
     [[nodiscard]] std::optional<std::int64_t> next();
 
-    /// Returns the number of chunks that other workers have, as far as was seen.
-    [[nodiscard]] std::int64_t held_by_others() const { return held_by_others_; }
-
 private:
     [[nodiscard]] bool claim(std::int64_t chunk);
     void release();
 
     const Study& study_;
-    std::int64_t first_, looked_at_ = 0, held_by_others_ = 0;
+    std::int64_t first_, looked_at_ = 0;
     std::optional<std::int64_t> claimed_;
 };
 

@@ -62,6 +62,23 @@ TEST_CASE("a row has the bits of a run with its start, step and end") {
     }
 }
 
+TEST_CASE("columns of a row are what was varied, the state, and then what is asked for") {
+    const TextTable rows =
+        study_of(spring, "--vary c=1:2:2 --columns 'energy, q' --reduce 'min(q), mean(energy)'");
+    CHECK(rows.names == std::vector<std::string>{"row", "c", "q", "p", "t", "status", "steps",
+                                                 "energy_error", "energy", "min(q)",
+                                                 "mean(energy)"});
+    for (std::size_t row = 0; row < 2; ++row) {
+        const LastRow run = run_of(spring, "--param c=" + rows.at(row, "c"));
+        check_row(rows, row, run, {"q", "p", "t", "energy"});
+        // H = p^2/2 + b q^2/2 + q^4/4 with b = 2/3.
+        const double q = rows.number(row, "q"), p = rows.number(row, "p");
+        CHECK(std::abs(rows.number(row, "energy") - (p * p / 2 + q * q / 3 + q * q * q * q / 4)) <
+              1e-14);
+        CHECK(rows.number(row, "min(q)") <= q);
+    }
+}
+
 TEST_CASE("a row without a compiler has the bits of such a run") {
     const TextTable rows = study_of(spring, "--vary a=0.1:0.7:3 --interpret");
     check_row(rows, 1, run_of(spring, "--param a=0.4 --interpret"), {"q", "p", "t"});
