@@ -255,8 +255,6 @@ std::vector<ChildResult> heard_out(std::vector<Child> children, const OnLineOfCh
         child.output->close_writing();
         child.errors->close_writing();
     }
-    const bool hands_on = end == WhenInterrupted::it_stops && children.size() == 1;
-    const HandsOn signals(hands_on ? children.front().running.process() : 0);
     Listener(children, end).read_all(on_line);
     std::vector<ChildResult> results;
     for (Child& child : children) {
@@ -309,6 +307,8 @@ ChildResult run_child(const std::function<int()>& work,
                       const std::function<void(std::string_view)>& on_line, WhenInterrupted end) {
     std::vector<Child> child;
     child.push_back(started(work));
+    const bool hands_on = end == WhenInterrupted::it_stops;
+    const HandsOn signals(hands_on ? child.front().running.process() : 0);
     return heard_out(std::move(child), of_any_child(on_line), end).front();
 }
 

@@ -20,6 +20,9 @@ const std::string star = "hamiltonian = \"(px^2 + py^2)/2 + (x^2 + y^2)/2 + x^2*
 
 const std::string rows = "--random 'y=normal(0, 1/10)' --samples 200 --seed 5";
 
+/// Words for rows that take four times as long.
+const std::string long_rows = rows + " --until 8000 --chunk 200 --workers 1";
+
 /// A directory with the scene, whose studies are compared.
 class Studies {
 public:
@@ -47,6 +50,17 @@ public:
 private:
     Directory directory_;
 };
+
+/// Waits until a worker has a chunk.
+const std::string until_a_lock =
+    "for k in $(seq 3000); do ls study/chunks/000/*.lock > /dev/null 2>&1 && break; sleep 0.01; "
+    "done; ";
+
+std::string table_text_of_whole() {
+    const Studies studies;
+    REQUIRE(studies("eval \"$study " + long_rows + "\"").status == 0);
+    return studies.collected();
+}
 
 std::string whole() {
     const Studies studies;
@@ -121,19 +135,51 @@ TEST_CASE("a study whose workers are killed twenty times has the bits of one tha
 }
 
 TEST_CASE("a signal ends a study cleanly, and it goes on from its rows") {
-    const std::string expected = whole();
+    const std::string expected = table_text_of_whole();
     for (const std::string signal : {"TERM", "USR1", "INT"}) {
         CAPTURE(signal);
         const Studies studies;
-        const Outcome stopped =
-            studies("eval \"exec $study " + rows +
-                    " --chunk 100 --workers 2\" & pid=$!; "
-                    "for k in $(seq 600); do ls study/chunks/000/*.lock > /dev/null 2>&1 && break; "
-                    "sleep 0.01; done; sleep 0.1; kill -" +
-                    signal + " $pid; wait $pid");
+        const std::string command = "$study " + long_rows;
+        const Outcome stopped = studies("eval \"exec " + command + "\" & pid=$!; " + until_a_lock +
+                                        "sleep 0.1; kill -" + signal + " $pid; wait $pid");
         INFO(stopped.err);
         CHECK(stopped.status == 130);
         CHECK(studies("ls study/chunks/000/*.lock study/chunks/000/.??*").out.empty());
+        CHECK(studies("eval \"" + command + "\"").status == 0);
+        CHECK(studies.collected() == expected);
+    }
+}
+
+TEST_CASE("rows that a stopped worker has computed are not computed again") {
+    const Studies studies;
+    const std::string command = "$study " + long_rows;
+    const std::string file = "study/chunks/000/000000.part";
+    // NOTE: it may be stopped before its first row, or at its end.
+    for (int k = 0; k < 20 && studies("test -e " + file).status != 0; ++k)
+        static_cast<void>(studies("rm -rf study; eval \"exec " + command + "\" & pid=$!; " +
+                                  until_a_lock + "sleep 0.05; kill -TERM $pid; wait $pid"));
+    const Outcome marked = studies("/usr/bin/python3 -c \"import numpy; rows = numpy.load('" +
+                                   file + "'); rows['steps'] = -7; numpy.save(open('" + file +
+                                   "', 'wb'), rows); print(len(rows))\"");
+    INFO(marked.err);
+    REQUIRE(marked.status == 0);
+    REQUIRE(studies("eval \"" + command + "\"").status == 0);
+    const TextTable table = table_of(studies.collected());
+    REQUIRE(table.rows.size() == 200);
+    for (std::size_t row = 0; row < 200; ++row)
+        CHECK((table.at(row, "steps") == "-7") == (row < std::stoul(marked.out)));
+}
+
+TEST_CASE("a signal ends a row that takes for ever") {
+    const Studies studies;
+    for (const std::string how : {"", "--megno"}) {
+        CAPTURE(how);
+        const Outcome stopped =
+            studies("rm -rf study; eval \"exec $study --vary y=0:0.1:1 --until 1000000000 " + how +
+                    "\" & pid=$!; " + until_a_lock + "sleep 0.1; kill -TERM $pid; wait $pid");
+        INFO(stopped.err);
+        CHECK(stopped.status == 130);
+        CHECK(studies("ls study/chunks/000").out.empty());
     }
 }
 
@@ -160,6 +206,17 @@ TEST_CASE("what others have is left to them, and what they have lost is not") {
                   "study/chunks/000/000002.lock; eval \"$study " +
                   words + "\"")
               .status == 0);
+    CHECK(table_of(studies.collected()).rows.size() == 6);
+    // One whose process has ended, and whose parent does not ask how.
+    const Outcome ended = studies(
+        "rm study/chunks/000/000002.npy; /usr/bin/python3 -c 'import os, time\n"
+        "ended = os.fork()\nif ended == 0: os._exit(0)\nprint(ended, flush=True)\n"
+        "time.sleep(5)' > ended & sleep 0.5; ended=$(cat ended); "
+        "start=$(cut -d ' ' -f 22 /proc/$ended/stat); "
+        "echo \"$(uname -n) $ended $start\" > study/chunks/000/000002.lock; eval \"$study " +
+        words + "\"");
+    INFO(ended.err);
+    CHECK(ended.status == 0);
     CHECK(table_of(studies.collected()).rows.size() == 6);
 }
 
