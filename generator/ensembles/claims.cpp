@@ -130,7 +130,8 @@ int new_lock(const fs::path& path) {
     ::unlink(own.c_str());
     if (is_ours) return file;
     if (file >= 0) ::close(file);
-    if (is_written && error == EEXIST) return -1;
+    // NOTE: whoever finishes the study removes what is left, our file too.
+    if (is_written && (error == EEXIST || error == ENOENT)) return -1;
     throw EnvironmentError("cannot write " + path.string() + ": " +
                            std::generic_category().message(error));
 }

@@ -104,12 +104,12 @@ TEST_CASE("rows have the same bits under mpirun, and ranks that are killed are m
         CHECK(studies.collected() + studies.chunks() == expected);
     }
     const Studies studies;
-    const Outcome killed = studies(
-        ranks + "eval \"$ranks 2" + command +
-        " & for k in $(seq 600); do ls study/chunks/000/*.npy > /dev/null 2>&1 && break; "
-        "sleep 0.01; done; pkill -KILL -n -f -- 'ensemble scene.toml -o study.*--mpi'; wait; "
-        "eval \"$ranks 2" +
-        command);
+    const Outcome killed =
+        studies(ranks + "eval \"$ranks 2" + command +
+                " & for k in $(seq 600); do ls study/chunks/000/*.npy > /dev/null 2>&1 && break; "
+                "sleep 0.01; done; pkill -KILL -n -f -- 'seed 5 --chunk 7 --mpi'; wait; "
+                "eval \"$ranks 2" +
+                command);
     INFO(killed.err);
     CHECK(killed.status == 0);
     CHECK(studies.collected() + studies.chunks() == expected);
@@ -127,8 +127,13 @@ TEST_CASE("a study whose workers are killed twenty times has the bits of one tha
                 "\" > said.txt 2> err.txt & pid=$!\n"
                 "  sleep $delay; kill -KILL $pid 2> /dev/null; wait $pid\n"
                 "  delay=$(awk \"BEGIN {print 0.10 + ($tries * 7 % 11) * 0.02}\")\n"
-                "done; eval \"$study " +
-                rows + " --chunk 7\"");
+                "done\n"
+                // NOTE: the last worker may yet be dying.
+                "for k in $(seq 100); do\n"
+                "  eval \"$study " +
+                rows +
+                " --chunk 7\"; \"$hvi_gen\" collect study -o all.csv && break; sleep 0.1\n"
+                "done");
     INFO(outcome.err);
     CHECK(outcome.status == 0);
     CHECK(studies.collected() + studies.chunks() == expected);
@@ -211,10 +216,11 @@ TEST_CASE("what others have is left to them, and what they have lost is not") {
     const Outcome ended = studies(
         "rm study/chunks/000/000002.npy; /usr/bin/python3 -c 'import os, time\n"
         "ended = os.fork()\nif ended == 0: os._exit(0)\nprint(ended, flush=True)\n"
-        "time.sleep(5)' > ended & sleep 0.5; ended=$(cat ended); "
+        "time.sleep(60)' > ended & parent=$!; "
+        "for k in $(seq 600); do [ -s ended ] && break; sleep 0.05; done; ended=$(cat ended); "
         "start=$(cut -d ' ' -f 22 /proc/$ended/stat); "
         "echo \"$(uname -n) $ended $start\" > study/chunks/000/000002.lock; eval \"$study " +
-        words + "\"");
+        words + "\"; status=$?; kill $parent; exit $status");
     INFO(ended.err);
     CHECK(ended.status == 0);
     CHECK(table_of(studies.collected()).rows.size() == 6);
