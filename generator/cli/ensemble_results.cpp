@@ -50,7 +50,9 @@ public:
           energy_(place_of(study, "energy_error")) {}
 
     void see(const std::vector<double>& row) {
-        ++rows_[std::min(static_cast<std::size_t>(row[status_]), rows_.size() - 1)];
+        const auto status = static_cast<std::size_t>(
+            std::clamp(row[status_], 0.0, static_cast<double>(rows_.size() - 1)));
+        ++rows_[status];
         all_steps_ += row[steps_];
         if (energy_ >= row.size() || !(std::abs(row[energy_]) > worst_)) return;
         worst_ = std::abs(row[energy_]);

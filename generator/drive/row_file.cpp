@@ -34,9 +34,8 @@ public:
 
 private:
     void cell(const NamedColumn& column, double value) {
-        const auto number = static_cast<std::size_t>(value);
-        if (number < column.words.size())
-            table_.cell(column.words[number]);
+        if (value >= 0 && value < static_cast<double>(column.words.size()))
+            table_.cell(column.words[static_cast<std::size_t>(value)]);
         else if (column.numbers == TableNumbers::floats)
             table_.cell(nearest_float(value));
         else
