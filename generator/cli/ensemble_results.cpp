@@ -50,9 +50,12 @@ public:
           energy_(place_of(study, "energy_error")) {}
 
     void see(const std::vector<double>& row) {
-        const auto status = static_cast<std::size_t>(
-            std::clamp(row[status_], 0.0, static_cast<double>(rows_.size() - 1)));
-        ++rows_[status];
+        const double status = row[status_];
+        if (!(status >= 0 && status < static_cast<double>(rows_.size())))
+            throw EnvironmentError(
+                fmt::format("row {:.0f} of the study has no status", row.front()),
+                "its file is damaged: remove its chunk, and run the study again");
+        ++rows_[static_cast<std::size_t>(status)];
         all_steps_ += row[steps_];
         if (energy_ >= row.size() || !(std::abs(row[energy_]) > worst_)) return;
         worst_ = std::abs(row[energy_]);
@@ -68,13 +71,11 @@ public:
     }
     [[nodiscard]] double steps() const { return all_steps_; }
     [[nodiscard]] std::optional<std::string> energy() const {
-        if (energy_ == place_of_none_ || worst_ < 0) return {};
+        if (worst_ < 0) return {};
         return fmt::format("largest error {:.2e}, in row {:.0f}", worst_, row_of_worst_);
     }
 
 private:
-    static constexpr std::size_t place_of_none_ = static_cast<std::size_t>(-1);
-
     std::size_t status_, steps_, energy_;
     std::array<std::int64_t, row_statuses.size()> rows_{};
     double all_steps_ = 0, worst_ = -1, row_of_worst_ = 0;
