@@ -106,7 +106,7 @@ void advance_listed(typename Stepper::State* states, const typename Stepper::Par
 }
 
 #if defined(HVI_KERNEL)
-// The same on a GPU, where all arrays are those of the device. Any number of threads takes any
+// Kernels that do so on a GPU. All arrays are those of the device. Any number of threads takes any
 // number of trajectories.
 
 template <class Stepper>

@@ -45,34 +45,21 @@ namespace hvi::device {
 /// NOTE: where one instruction multiplies and adds, compilers leave out the rounding between unless
 /// they are told otherwise, each in its own way, and clang even where an intrinsic asks for it. No
 /// compiler fuses a product that it does not see.
-[[nodiscard]] HVI_DEVICE inline double product(double a, double b) {
 #if defined(HVI_ON_CUDA)
+[[nodiscard]] HVI_DEVICE inline double product(double a, double b) {
     double result;
     asm("mul.rn.f64 %0, %1, %2;" : "=d"(result) : "d"(a), "d"(b));
     return result;
-#else
-    double result = a * b;
-#if defined(HVI_ON_HIP)
-    asm("" : "+v"(result));
-#elif defined(__x86_64__) && defined(__FMA__)
-    asm("" : "+x"(result));
-#elif defined(__aarch64__)
-    asm("" : "+w"(result));
-#elif !defined(__x86_64__)
-    const volatile double seen = result;
-    result = seen;
-#endif
-    return result;
-#endif
 }
-
 [[nodiscard]] HVI_DEVICE inline float product(float a, float b) {
-#if defined(HVI_ON_CUDA)
     float result;
     asm("mul.rn.f32 %0, %1, %2;" : "=f"(result) : "f"(a), "f"(b));
     return result;
+}
 #else
-    float result = a * b;
+template <class Number>
+[[nodiscard]] HVI_DEVICE inline Number product(Number a, Number b) {
+    Number result = a * b;
 #if defined(HVI_ON_HIP)
     asm("" : "+v"(result));
 #elif defined(__x86_64__) && defined(__FMA__)
@@ -80,12 +67,12 @@ namespace hvi::device {
 #elif defined(__aarch64__)
     asm("" : "+w"(result));
 #elif !defined(__x86_64__)
-    const volatile float seen = result;
+    const volatile Number seen = result;
     result = seen;
 #endif
     return result;
-#endif
 }
+#endif
 
 /// Returns a b + c, rounded once. NOTE: processors without such an instruction do it in software.
 [[nodiscard]] HVI_DEVICE inline double fused(double a, double b, double c) {

@@ -112,8 +112,8 @@ public:
         Number size_of_step = 0;  // of these slopes
     };
 
-    /// What all trajectories share: the size of a step, and what the method has of it. It is made
-    /// on the host, and kernels take it by value.
+    /// Numbers that all trajectories share: the size of a step, and numbers of the method. They are
+    /// made on the host, and kernels take them by value.
     struct Steps {
         explicit Steps(Number size) : h(size) {
             hvi::device::weigh(h, b, hb);
