@@ -1,4 +1,4 @@
-// Many trajectories of one scene, with the same steps, on all processors.
+// Many trajectories of one scene on all processors.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -8,6 +8,7 @@
 #include <type_traits>
 #include <vector>
 
+#include <hvi/detail/trajectories/courses.hpp>
 #include <hvi/detail/trajectories/in_parallel.hpp>
 #include <hvi/detail/trajectories/lane_groups.hpp>
 #include <hvi/detail/trajectories/single_states.hpp>
@@ -28,12 +29,13 @@ using TrajectoriesOf =
 /// trajectories at once, or any other stepper of a scene, such as one of a scene of any size. Each
 /// trajectory ends with the same bits on any number of threads, whatever the other trajectories are
 /// and wherever it stands among them. A trajectory whose step fails keeps the state before that
-/// step, and the others go on.
+/// step, and the others go on. Where one has come to its end, or its step has failed, the next
+/// takes its place among the eight, so that one with many steps does not hold others.
 /// # Use
-/// All trajectories have the same h and number of steps, and the same parameters unless each is
-/// given its own. h is a time in the units of H and may be negative. Precondition of state(i),
-/// status(i), steps(i) and stepper(i): i < size(). A step that fails throws nothing: ok() and
-/// status(i) report it. With -pthread and the header of
+/// All trajectories have the same parameters, h and number of steps, unless each is given its own.
+/// h is a time in the units of H and may be negative. Precondition of state(i), status(i), steps(i)
+/// and stepper(i): i < size(). A step that fails throws nothing: ok() and status(i) report it. With
+/// -pthread and the header of
 ///
 ///     hvi-gen stepper --method stormer-verlet pendulum --lanes ensemble -o pendulums.hpp
 ///
@@ -94,19 +96,23 @@ public:
     [[nodiscard]] std::size_t size() const { return size_; }
 
     /// Takes each trajectory `steps` steps of size h further, on `threads` threads; 0: as many
-    /// threads as there are processors. A thread takes one trajectory, or a group of eight, through
-    /// all its steps, and then the next.
+    /// threads as there are processors. A thread takes one trajectory, or eight, through all steps,
+    /// and then the next.
     ///
     /// Rethrows, when all threads have ended, the first exception of a step, std::bad_alloc or
     /// std::system_error. Some trajectories have then been advanced and others not.
-    void advance(Scalar h, std::int64_t steps, unsigned threads = 0) {
-        if (parameters_.empty()) { return; }
-        detail::in_parallel(trajectories_.pieces(), threads, [&] {
-            return [&, stepper = Stepper(parameters_.front())](std::size_t piece) mutable {
-                if (parameters_.size() > 1) { trajectories_.give(parameters_, piece, stepper); }
-                trajectories_.advance(piece, stepper, h, steps);
-            };
-        });
+    void advance(Scalar h, std::int64_t steps, unsigned threads = 0) { go({h}, {steps}, threads); }
+
+    /// Takes trajectory i `steps[i]` steps of size `h[i]` further, as advance() above does. One
+    /// that has no steps, or steps of size 0, keeps every bit. Throws std::invalid_argument unless
+    /// there are as many of both as trajectories.
+    void advance(const std::vector<Scalar>& h, const std::vector<std::int64_t>& steps,
+                 unsigned threads = 0) {
+        if (h.size() != size_ || steps.size() != size_) {
+            throw std::invalid_argument(
+                "hvi: there are as many sizes and numbers of steps as trajectories");
+        }
+        go(h, steps, threads);
     }
 
     [[nodiscard]] Trajectory state(std::size_t i) const { return trajectories_.state(i); }
@@ -127,6 +133,15 @@ public:
     }
 
 private:
+    void go(const std::vector<Scalar>& h, const std::vector<std::int64_t>& steps,
+            unsigned threads) {
+        if (size_ == 0) { return; }
+        const detail::Courses<Stepper> courses(parameters_, h, steps);
+        detail::in_parallel(trajectories_.pieces(), threads, [&](detail::Numbers& pieces) {
+            trajectories_.advance(pieces, courses);
+        });
+    }
+
     std::vector<Parameters> parameters_;  ///< of each trajectory, or one for all
     std::size_t size_;
     Trajectories trajectories_;

@@ -29,7 +29,7 @@ inline constexpr int version_patch = 0;
 /// Format of the calls of generated headers into the runtime: each header names its own, and this
 /// one is understood. The number changes where headers written before would no longer compile, or
 /// would mean something else.
-inline constexpr int runtime_format = 14;
+inline constexpr int runtime_format = 15;
 
 [[nodiscard]] constexpr bool supports_format(int wanted) { return wanted == runtime_format; }
 

@@ -16,12 +16,17 @@ namespace {
 /// Parts of the header; see templates/ensemble.hpp.in.
 struct EnsembleParts {
     std::vector<std::string> runtime;
-    std::string carried, step, reset, constants, coupled, members;
+    std::string carried, step, resize, reset_lane, reset, constants, coupled, members;
 };
 
 /// Returns the members that evaluate H, of one trajectory and of eight.
 std::string systems_text() {
-    return Writer(1).line("System one_;").line("LaneSystem system_;").str();
+    return Writer(1)
+        .line("System one_;")
+        .line("LaneSystem system_;")
+        .line("hvi::detail::TrajectoryRow<Scalar> h_{{}};")
+        .line("Scalar common_h_ = 0;  ///< h of all lanes, or 0")
+        .str();
 }
 
 // ---- explicit ----
@@ -37,8 +42,9 @@ EnsembleParts ensemble_parts(const Step& step, const ExplicitStep& form, std::si
         return parts;
     }
     parts.carried = step.kept.any() ? "RemaindersAndSlopeCarried" : "RemaindersCarried";
-    parts.runtime.insert(parts.runtime.end(),
-                         {"detail/coefficients/weights", "detail/trajectories/trajectory_sums"});
+    parts.runtime.insert(parts.runtime.end(), {"detail/trajectories/trajectory_sums",
+                                               "detail/trajectories/trajectory_weights"});
+    parts.resize = "weights_.weigh(lane, h, b_p, b_q);";
     parts.reset = "sums_.forget();";
     parts.members = Writer(1)
                         .insert(systems_text())
@@ -90,32 +96,34 @@ SlopePoint inner(const Step& step) {
             time_of_trajectories(step, "s.clock.at(c[i])")};
 }
 
-/// Writes the starting values.
+/// Writes the starting values. constant() takes those of `lanes`.
 void predict(Writer& writer, const Iteration& iteration, const auto& extrapolated,
              const auto& constant) {
     if (iteration.extrapolation.empty()) {
+        writer.line("const Mask lanes(true);");
         constant(writer);
         return;
     }
-    writer.open("if (s_.extrapolates) {{");
+    writer.open("if (s_.some_go_on) {{");
     extrapolated(writer);
-    writer.close().open("if (!s_.extrapolates) {{");
+    writer.close().open("if (s_.some_begin) {{");
+    writer.line("const Mask lanes = s_.new_lanes();");
     constant(writer);
     writer.close();
 }
 
 std::string velocity_step(const Step& step, const Iteration& iteration) {
     Writer writer(2);
-    writer.line("if (!s_.begin(x, h, b)) {{ return x.status(); }}");
+    writer.line("if (!s_.begin(x)) {{ return x.status(); }}");
     writer.line("s_.drift_freely(system_, c);");
     predict(
         writer, iteration, [](Writer& out) { out.line("s_.extrapolate(N);"); },
         [&](Writer& out) {
             if (!step.depends_on_time()) {
-                out.line("s_.predict(system_);");
+                out.line("s_.predict(system_, lanes);");
                 return;
             }
-            out.open("s_.predict(system_, [&](Values& out) {{");
+            out.open("s_.predict(system_, lanes, [&](Values& out) {{");
             out.line("system_.{};", force_call(step, start(step), "out")).close("});");
         });
     return writer.insert(solve_and_advance("system_, ", ", c")).str();
@@ -125,7 +133,7 @@ std::string velocity_step(const Step& step, const Iteration& iteration) {
 std::string pair_step(const Step& step, const Iteration& iteration) {
     const SlopePoint at = start(step);
     Writer writer(2);
-    writer.line("if (!s_.begin(x, h, b)) {{ return x.status(); }}");
+    writer.line("if (!s_.begin(x)) {{ return x.status(); }}");
     predict(
         writer, iteration,
         [&](Writer& out) {
@@ -136,15 +144,16 @@ std::string pair_step(const Step& step, const Iteration& iteration) {
             if (step.slopes == Slopes::joint) {
                 out.line("Values dHdq, dHdp;");
                 out.line("system_.{};", gradient_call(at, "dHdq", "dHdp"));
-                out.line("s_.predict_q(dHdp);").line("s_.predict_p(dHdq);");
+                out.line("s_.predict_q(lanes, dHdp);").line("s_.predict_p(lanes, dHdq);");
                 return;
             }
             out.line("Values slope;");
             if (!step.is_separable()) {
                 out.line("system_.{};", velocity_call(step, at, "slope"));
-                out.line("s_.predict_q(slope);");
+                out.line("s_.predict_q(lanes, slope);");
             }
-            out.line("system_.{};", force_call(step, at, "slope")).line("s_.predict_p(slope);");
+            out.line("system_.{};", force_call(step, at, "slope"))
+                .line("s_.predict_p(lanes, slope);");
         });
     return writer.insert(solve_and_advance("", "")).str();
 }
@@ -197,6 +206,8 @@ EnsembleParts implicit_parts(const std::string& stages) {
     EnsembleParts parts;
     parts.runtime = {"detail/trajectories/trajectory_stages"};
     parts.carried = "RemaindersCarried";
+    parts.resize = "s_.resize(lane, h, b);";
+    parts.reset_lane = "s_.forget(lane);";
     parts.reset = "s_.forget();";
     parts.members = members_text(stages);
     return parts;
@@ -245,6 +256,8 @@ std::string emit_ensemble(const OneStepMethod& method, const Step& step,
                       {"state", fmt::format("hvi::Trajectories<Vector, hvi::detail::{}{}>",
                                             parts.carried, trajectory_argument(step))},
                       {"step", parts.step},
+                      {"resize", parts.resize},
+                      {"reset_lane", parts.reset_lane},
                       {"reset", parts.reset},
                       {"constants", parts.constants},
                       {"coupled", parts.coupled},

@@ -92,10 +92,13 @@ private:
         const std::string call = evaluation(step_, move, value(!move.kick));
         if (!keeps(step_, move.kick) || other_moved) {
             writer_.line("{}", call);
+        } else if (step_.layout == Layout::threads) {
+            writer_.line("if (!x.knows_slope) {{ {} }}", call);
         } else if (dimension_) {
-            writer_.line("if (!{}) {{ {} }}",
-                         step_.layout == Layout::threads ? "x.knows_slope" : "x.carried.is_known",
-                         call);
+            writer_.open("if (!x.carried.are_known) {{")
+                .line("{}", evaluation(step_, move, value(!move.kick), "slope"))
+                .line("x.carried.fill(slope, kept);")
+                .close();
         } else {
             writer_.line("const bool kept = known_ && sums_.continues();");
             writer_.line("known_ = false;");
@@ -109,8 +112,6 @@ private:
     std::optional<std::size_t> dimension_;
     bool kicked_ = false, drifted_ = false;  // whether p, and q, have been moved
 };
-
-constexpr std::string_view weigh = "weights_.weigh(h, b_p, b_q);";
 
 }  // namespace
 
@@ -152,6 +153,11 @@ std::string change(const Step& step, const Move& move, std::string_view k) {
 }
 
 std::string evaluation(const Step& step, const Move& move, std::string_view at) {
+    return evaluation(step, move, at, slope(step, move));
+}
+
+std::string evaluation(const Step& step, const Move& move, std::string_view at,
+                       const std::string& out) {
     const std::string point(at);
     const std::string i = std::to_string(move.index);
     const auto time_of = [&]() -> std::string {
@@ -163,7 +169,6 @@ std::string evaluation(const Step& step, const Move& move, std::string_view at) 
         }
     };
     const std::string time = time_of();
-    const std::string out = slope(step, move);
     const SlopePoint where{point, point, time};
     const std::string call =
         move.kick ? force_call(step, where, out) : velocity_call(step, where, out);
@@ -183,7 +188,7 @@ std::string compensated_moves_text(const Step& step) {
     writer.insert(scratch_text(compensated_scratch(step)));
     writer.line(
         "if (!sums_.begin(x, dq, dp)) {{ return Status(Status::Code::unsafe_arithmetic); }}");
-    writer.line("{}", weigh);
+    writer.line("weights_.weigh(h, b_p, b_q);");
     SummedMoves(writer, step, Sums::compensated).write_all();
     writer.insert(end_of_moves(step));
     writer.line("if (!sums_.end(x, dq, dp, q, p)) {{ return Status(Status::Code::not_finite); }}");
@@ -195,7 +200,7 @@ std::string ensemble_moves_text(const Step& step, Sums sums, std::size_t dimensi
     const bool is_apart = sums == Sums::compensated;
     Writer writer(2);
     writer.line("if (!{}) {{ return x.status(); }}",
-                is_apart ? "sums_.begin(x, h)" : "x.begins(h)");
+                is_apart ? "sums_.begin(x, h_)" : "x.begins(h_)");
     const auto load = [&](std::string_view name, std::string_view from) {
         writer.line("Values {} = hvi::detail::load(x.{});", name, from);
     };
@@ -204,7 +209,8 @@ std::string ensemble_moves_text(const Step& step, Sums sums, std::size_t dimensi
     if (is_apart) {
         load("dq", "carried.q");
         load("dp", "carried.p");
-        writer.line("{}", weigh);
+    } else {
+        writer.line("const Lane h(h_);");
     }
     writer.line("Values slope;");
     if (step.kept.any()) { load("kept", "carried.slope"); }
@@ -214,7 +220,7 @@ std::string ensemble_moves_text(const Step& step, Sums sums, std::size_t dimensi
         is_apart ? "sums_.end(x, dq, dp" : "x.end(q, p, hvi::detail::where_finite(q, p)";
     if (step.kept.any()) {
         writer.open("{}, [&](auto put) {{", end);
-        writer.line("put(kept, x.carried.slope);").line("x.carried.is_known = true;").close("});");
+        writer.line("put(kept, x.carried.slope);").line("x.carried.know();").close("});");
     } else {
         writer.line("{});", end);
     }
@@ -228,8 +234,9 @@ std::string thread_moves_text(const Step& step, Sums sums, std::size_t dimension
 }
 
 std::string weights_member(const Step& step) {
-    return fmt::format("hvi::detail::MoveWeights<Scalar, {}, {}> weights_;", step.positions.size(),
-                       step.momenta.size());
+    return fmt::format("hvi::detail::{}Weights<Scalar, {}, {}> weights_;",
+                       step.layout == Layout::trajectories ? "Trajectory" : "Move",
+                       step.positions.size(), step.momenta.size());
 }
 
 std::vector<std::string> compensated_scratch(const Step& step) {

@@ -36,6 +36,9 @@ struct MoveNames {
 /// The vector of the slope, and the call that evaluates it at `at`.
 [[nodiscard]] std::string slope(const Step& step, const Move& move);
 [[nodiscard]] std::string evaluation(const Step& step, const Move& move, std::string_view at);
+/// The call with another vector.
+[[nodiscard]] std::string evaluation(const Step& step, const Move& move, std::string_view at,
+                                     const std::string& out);
 
 /// h b, with which a move takes its slope.
 [[nodiscard]] std::string size(const Step& step, const Move& move);

@@ -196,7 +196,7 @@ std::string constructors_of_trajectories(const Step& step, std::string_view clas
     writer.line("/// keep those of the constructor.");
     writer.open("void set_parameters(std::size_t lane, const Parameters& parameters) {{")
         .line("system_.set(lane, System(parameters));")
-        .line("reset();")
+        .line("reset(lane);")
         .close();
     return writer.str();
 }

@@ -59,10 +59,7 @@ public:
             add_tangents();
             add_directions();
         }
-        for (const ClassValue& value : values_of_class(system_, wishes_)) {
-            list_.add(value.name, {true, true, value.has_time}, value_of(*value.sums)).returns =
-                "Scalar";
-        }
+        for (const ClassValue& value : values_of_class(system_, wishes_)) { add_value(value); }
         if (evaluations_ == nullptr) {
             add_begin_of_families();
         } else if (!system_.initial.empty()) {
@@ -72,9 +69,18 @@ public:
     }
 
 private:
-    [[nodiscard]] FunctionBody value_of(const std::vector<SystemSum>& sums) const {
-        if (evaluations_ == nullptr) { return ValueOfSums{&sums}; }
-        return StraightCode{kernel(system_.graph, {sums.front().value})};
+    void add_value(const ClassValue& value) {
+        const Takes takes{true, true, value.has_time};
+        if (evaluations_ == nullptr) {
+            list_.add(value.name, takes, ValueOfSums{value.sums}).returns = "Scalar";
+            return;
+        }
+        StraightCode code{kernel(system_.graph, {value.sums->front().value})};
+        if (step_.layout == Layout::trajectories) {
+            list_.add_of_lanes(value.name, takes, std::move(code), {}).returns = "Value";
+        } else {
+            list_.add(value.name, takes, std::move(code)).returns = "Scalar";
+        }
     }
 
     // ---- sizes, of sums with loops ----

@@ -114,8 +114,14 @@ void write_member(Writer& writer, const ClassValue& value, const Step& step,
         .insert(form.before)
         .line("return {}.{}({}{});", system_of_one(step), value.name, form.variables,
               value.has_time ? ", x.t" : "")
-        .close()
-        .blank();
+        .close();
+    if (step.layout == Layout::trajectories) {
+        writer.open("[[nodiscard]] typename State::Lane {}(const State& x) const {{", value.name)
+            .line("return system_.{}(hvi::detail::load(x.q), hvi::detail::load(x.p){});",
+                  value.name, value.has_time ? ", x.clock.start()" : "")
+            .close();
+    }
+    writer.blank();
 }
 
 void write_initial(Writer& writer, std::string_view state, const StateForm& form) {

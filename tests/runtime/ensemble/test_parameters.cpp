@@ -155,6 +155,34 @@ TEST_CASE("members of the stepper of a trajectory have its parameters") {
     }
 }
 
+TEST_CASE("energies of eight have their parameters, and their times") {
+    using Many = Gauss4Kepler::Many;
+    const auto x = starts<Many>(8);
+    Many stepper;
+    Many::State eight;
+    for (std::size_t i = 0; i < 8; ++i) {
+        eight.set(i, x[i]);
+        stepper.set_parameters(i, parameters_of<Many>(i));
+    }
+    Many::State::Lane::Row energies;
+    stepper.energy(eight).store(energies);
+    for (std::size_t i = 0; i < 8; ++i) {
+        const double energy = (x[i].p[0] * x[i].p[0] + x[i].p[1] * x[i].p[1]) / 2 -
+                              some(i) / std::hypot(x[i].q[0], x[i].q[1]);
+        CHECK(energies[i] == Approx(energy).epsilon(1e-14));
+    }
+
+    using Timed = VerletSwing::Many;  // H = p^2/2 - cos(q) - sin(2*t)*q/5
+    const auto y = starts<Timed>(8);
+    Timed::State timed;
+    for (std::size_t i = 0; i < 8; ++i) { timed.set(i, y[i]); }
+    Timed().energy(timed).store(energies);
+    for (std::size_t i = 0; i < 8; ++i) {
+        CHECK(energies[i] == Approx(Timed().energy(y[i])).epsilon(1e-14));
+    }
+    CHECK(energies[0] != energies[1]);
+}
+
 TEST_CASE("there are as many parameters as starts") {
     using Many = VerletKepler::Many;
     const auto x = starts<Many>(3);

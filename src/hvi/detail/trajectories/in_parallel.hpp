@@ -49,20 +49,38 @@ private:
     std::vector<std::thread> threads_;
 };
 
-/// Calls work(i) for 0 <= i < count, each once, on `threads` threads; 0: as many as there are
-/// processors. prepare() makes a work for each thread. The first exception is rethrown when all
-/// threads have ended; then some calls have not been made.
-template <class Prepare>
-void in_parallel(std::size_t count, unsigned threads, Prepare prepare) {
+/// The numbers below a count. Each is taken once, by any thread.
+class Numbers {
+public:
+    explicit Numbers(std::size_t count) : count_(count) {}
+
+    /// Sets `number` to the next one. Returns whether there is one.
+    [[nodiscard]] bool take(std::size_t& number) {
+        number = next_++;
+        return number < count_;
+    }
+
+    /// Leaves none to take.
+    void end() { next_ = count_; }
+
+private:
+    std::atomic<std::size_t> next_{0};
+    std::size_t count_;
+};
+
+/// Calls work(numbers) on each of `threads` threads, to take numbers below `count`; 0 threads: as
+/// many as there are processors. The first exception is rethrown when all threads have ended; then
+/// some numbers were not taken.
+template <class Work>
+void in_parallel(std::size_t count, unsigned threads, const Work& work) {
     if (threads == 0) { threads = std::max(1U, std::thread::hardware_concurrency()); }
-    std::atomic<std::size_t> next{0};
+    Numbers numbers(count);
     Failure failure;
     const auto serve = [&] {
         try {
-            auto work = prepare();
-            for (std::size_t i = next++; i < count; i = next++) { work(i); }
+            work(numbers);
         } catch (...) {
-            next = count;
+            numbers.end();
             failure.keep(std::current_exception());
         }
     };

@@ -8,107 +8,112 @@
 #include <cstdint>
 #include <vector>
 
+#include <hvi/detail/trajectories/courses.hpp>
+#include <hvi/detail/trajectories/in_parallel.hpp>
+#include <hvi/detail/trajectories/side_by_side.hpp>
 #include <hvi/detail/trajectories/trajectories.hpp>
 #include <hvi/state.hpp>
 
 namespace hvi::detail {
 
-/// Groups of eight trajectories. `Stepper` advances a group, and takes all its steps before those
-/// of the next one, while the group is in the nearest cache.
+/// Trajectories in groups of eight, as `Stepper` advances them. On their way they stand beside any
+/// others.
 template <class Stepper>
 class LaneGroups {
 public:
     using Trajectory = typename Stepper::Trajectory;
-    using Scalar = typename Stepper::Scalar;
+    using Courses = detail::Courses<Stepper>;
 
     explicit LaneGroups(const std::vector<Trajectory>& starts)
-        : groups_((starts.size() + width - 1) / width) {
-        // NOTE: places that are left over in the last group are copies of the last trajectory, so
-        // that nothing can happen in them that does not happen to it.
-        for (std::size_t i = 0; i < groups_.size() * width; ++i) {
-            groups_[i / width].x.set(i % width, starts[std::min(i, starts.size() - 1)]);
+        : groups_((starts.size() + width - 1) / width), steps_(starts.size()) {
+        for (std::size_t i = 0; i < starts.size(); ++i) {
+            groups_[i / width].set(i % width, starts[i]);
         }
     }
 
     /// Returns the number of pieces: a thread takes one at a time.
     [[nodiscard]] std::size_t pieces() const { return groups_.size(); }
 
-    /// Gives the stepper the parameters of a piece.
-    static void give(const std::vector<typename Stepper::Parameters>& parameters, std::size_t piece,
-                     Stepper& stepper) {
-        for (std::size_t lane = 0; lane < width; ++lane) {
-            const std::size_t i = std::min(piece * width + lane, parameters.size() - 1);
-            stepper.set_parameters(lane, parameters[i]);
-        }
+    /// Takes the trajectories of these pieces through their courses.
+    void advance(Numbers& pieces, const Courses& courses) {
+        Stepper stepper(courses.parameters(0));
+        Going going{*this, pieces, courses};
+        SideBySide<Stepper, Going>(stepper, going).run();
     }
 
-    void advance(std::size_t piece, Stepper& stepper, Scalar h, std::int64_t steps) {
-        advance(stepper, groups_[piece], h, steps);
-    }
-
-    [[nodiscard]] Trajectory state(std::size_t i) const { return group(i).x[i % width]; }
-    [[nodiscard]] Status status(std::size_t i) const { return group(i).x.status()[i % width]; }
-    [[nodiscard]] std::int64_t steps(std::size_t i) const { return group(i).steps[i % width]; }
+    [[nodiscard]] Trajectory state(std::size_t i) const { return group(i)[i % width]; }
+    [[nodiscard]] Status status(std::size_t i) const { return group(i).status()[i % width]; }
+    [[nodiscard]] std::int64_t steps(std::size_t i) const { return steps_[i]; }
 
     [[nodiscard]] bool ok() const {
         return std::all_of(groups_.begin(), groups_.end(),
-                           [](const Group& group) { return group.x.status().ok(); });
+                           [](const Group& group) { return group.status().ok(); });
     }
 
 private:
     static constexpr std::size_t width = trajectories_at_once;
-    using Steps = std::array<std::int64_t, width>;
+    using Group = typename Stepper::State;
 
-    /// Trajectories that go side by side.
-    struct Group {
-        typename Stepper::State x;
-        Steps steps{};
-    };
+    /// The source of the lanes of one thread; see SideBySide.
+    class Going {
+    public:
+        Going(LaneGroups& all, Numbers& pieces, const Courses& courses)
+            : all_(all), pieces_(pieces), courses_(courses) {}
 
-    /// NOTE: on a copy, which no other thread sees, so that compilers keep it in registers. The
-    /// stepper first forgets its memory of another group.
-    static void advance(Stepper& stepper, Group& group, Scalar h, std::int64_t steps) {
-        typename Stepper::State x = group.x;
-        stepper.reset();
-        Going going(x.status());
-        std::int64_t step = 0;
-        for (; step < steps && going.any; ++step) {
-            if (!stepper.step(x, h).ok()) { going.update(x.status(), step, group.steps); }
+        std::int64_t begin(std::size_t lane, Group& x, Stepper& stepper) {
+            if (!find()) { return 0; }
+            const std::size_t i = next_++;
+            who_[lane] = i;
+            x.take(lane, all_.group(i), i % width);
+            if (courses_.has_own_parameters()) {
+                stepper.set_parameters(lane, courses_.parameters(i));
+            }
+            stepper.set_step(lane, courses_.h(i));
+            stepper.reset(lane);
+            return courses_.steps(i);
         }
-        going.end(step, group.steps);
-        group.x = x;
-    }
 
-    /// Lanes that have not stopped, and the steps of each lane.
-    struct Going {
-        std::array<bool, width> lanes{};
-        bool any = false;
+        static void see(const Group&) {}
+        static constexpr bool goes_on() { return true; }
 
-        explicit Going(const LaneStatus& status) {
-            for (std::size_t lane = 0; lane < width; ++lane) {
-                lanes[lane] = status[lane].ok();
-                any = any || lanes[lane];
+        void end(std::size_t lane, const Group& x, std::int64_t steps) {
+            const std::size_t i = who_[lane];
+            all_.group(i).take(i % width, x, lane);
+            all_.steps_[i] += steps;
+        }
+
+    private:
+        /// Goes to the next trajectory that has steps to take. Returns whether there is one.
+        bool find() {
+            for (;; ++next_) {
+                if (next_ == end_ && !find_piece()) { return false; }
+                const bool is_ok = all_.group(next_).status()[next_ % width].ok();
+                if (!is_ok || courses_.steps(next_) <= 0) { continue; }
+                if (courses_.h(next_) != 0) { return true; }
+                all_.steps_[next_] += courses_.steps(next_);
             }
         }
 
-        void update(const LaneStatus& status, std::int64_t step, Steps& steps) {
-            const Going before = *this;
-            *this = Going(status);
-            for (std::size_t lane = 0; lane < width; ++lane) {
-                if (before.lanes[lane] && !lanes[lane]) { steps[lane] += step; }
-            }
+        bool find_piece() {
+            std::size_t piece = 0;
+            if (!pieces_.take(piece)) { return false; }
+            next_ = piece * width;
+            end_ = std::min(next_ + width, all_.steps_.size());
+            return true;
         }
 
-        void end(std::int64_t step, Steps& steps) const {
-            for (std::size_t lane = 0; lane < width; ++lane) {
-                if (lanes[lane]) { steps[lane] += step; }
-            }
-        }
+        LaneGroups& all_;
+        Numbers& pieces_;
+        const Courses& courses_;
+        std::array<std::size_t, width> who_{};
+        std::size_t next_ = 0, end_ = 0;  ///< trajectories of the piece
     };
 
     [[nodiscard]] const Group& group(std::size_t i) const { return groups_[i / width]; }
+    [[nodiscard]] Group& group(std::size_t i) { return groups_[i / width]; }
 
     std::vector<Group> groups_;
+    std::vector<std::int64_t> steps_;
 };
 
 }  // namespace hvi::detail

@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <vector>
 
+#include <hvi/detail/trajectories/courses.hpp>
+#include <hvi/detail/trajectories/in_parallel.hpp>
 #include <hvi/detail/trajectories/take.hpp>
 #include <hvi/integrate.hpp>
 #include <hvi/state.hpp>
@@ -19,7 +21,7 @@ template <class Stepper>
 class SingleStates {
 public:
     using Trajectory = typename Stepper::State;
-    using Scalar = typename Stepper::Scalar;
+    using Courses = detail::Courses<Stepper>;
 
     explicit SingleStates(const std::vector<Trajectory>& starts)
         : states_(starts), runs_(starts.size()) {}
@@ -27,19 +29,18 @@ public:
     /// Returns the number of pieces: a thread takes one at a time.
     [[nodiscard]] std::size_t pieces() const { return states_.size(); }
 
-    /// Gives the stepper the parameters of a piece.
-    static void give(const std::vector<typename Stepper::Parameters>& parameters, std::size_t piece,
-                     Stepper& stepper) {
-        stepper = Stepper(parameters[piece]);
-    }
-
-    void advance(std::size_t piece, Stepper& stepper, Scalar h, std::int64_t steps) {
-        Run& run = runs_[piece];
-        if (!run.ok() || steps <= 0) { return; }
-        stepper.reset();
-        const Run more = take(stepper, states_[piece], h, steps);
-        run.status = more.status;
-        run.steps += more.steps;
+    /// Takes the trajectories of these pieces through their courses.
+    void advance(Numbers& pieces, const Courses& courses) {
+        Stepper stepper(courses.parameters(0));
+        for (std::size_t i = 0; pieces.take(i);) {
+            Run& run = runs_[i];
+            if (!run.ok() || courses.steps(i) <= 0) { continue; }
+            if (courses.has_own_parameters()) { stepper = Stepper(courses.parameters(i)); }
+            stepper.reset();
+            const Run more = take(stepper, states_[i], courses.h(i), courses.steps(i));
+            run.status = more.status;
+            run.steps += more.steps;
+        }
     }
 
     [[nodiscard]] const Trajectory& state(std::size_t i) const { return states_[i]; }

@@ -47,19 +47,57 @@ using TrajectoryRow = LaneRow<Number, trajectories_at_once>;
 template <class Vector>
 using TrajectoryRows = LaneRows<ScalarOf<Vector>, trajectories_at_once, fixed_size<Vector>()>;
 
+/// Copies a lane of other rows to a lane of these.
+template <class Rows>
+void take_lane(Rows& rows, std::size_t lane, const Rows& other, std::size_t from) {
+    for (std::size_t k = 0; k < rows.size(); ++k) { rows[k].set(lane, other[k][from]); }
+}
+
 /// Empty memory.
 template <class Vector>
 struct NothingCarried {
     void begin_anew(std::size_t) {}
+    void take(std::size_t, const NothingCarried&, std::size_t) {}
 };
 
 /// The last slope of a step, which is the first of the next.
 template <class Vector>
 struct SlopeCarried {
-    TrajectoryRows<Vector> slope{};
-    bool is_known = false;
+    using Row = TrajectoryRow<ScalarOf<Vector>>;
+    using Lane = Lanes<ScalarOf<Vector>, trajectories_at_once>;
 
-    void begin_anew(std::size_t) { is_known = false; }
+    TrajectoryRows<Vector> slope{};
+    bool are_known = false;  ///< the slopes of all lanes
+
+    void begin_anew(std::size_t lane) {
+        known_.set(lane, 0);
+        are_known = false;
+    }
+
+    void take(std::size_t lane, const SlopeCarried& other, std::size_t from) {
+        take_lane(slope, lane, other.slope, from);
+        known_.set(lane, other.known_[from]);
+        are_known = are_known && known_[lane] != 0;
+    }
+
+    /// Sets `kept` to `fresh` in the lanes whose slope is not known.
+    template <class Values>
+    void fill(const Values& fresh, Values& kept) const {
+        const auto known = Lane(ScalarOf<Vector>(0)) < Lane(known_);
+        for (std::size_t k = 0; k < kept.size(); ++k) {
+            kept[k] = select(known, kept[k], fresh[k]);
+        }
+    }
+
+    /// Takes note that the slopes of all lanes are those of a step.
+    void know() {
+        if (are_known) { return; }
+        Lane(ScalarOf<Vector>(1)).store(known_);
+        are_known = true;
+    }
+
+private:
+    Row known_{};  ///< 1 where the slope is known
 };
 
 /// Remainders of q and of p.
@@ -72,6 +110,11 @@ struct RemaindersCarried {
             for (auto& row : *rows) { row.set(lane, 0); }
         }
     }
+
+    void take(std::size_t lane, const RemaindersCarried& other, std::size_t from) {
+        take_lane(q, lane, other.q, from);
+        take_lane(p, lane, other.p, from);
+    }
 };
 
 /// Remainders, and the last slope.
@@ -80,6 +123,11 @@ struct RemaindersAndSlopeCarried : RemaindersCarried<Vector>, SlopeCarried<Vecto
     void begin_anew(std::size_t lane) {
         RemaindersCarried<Vector>::begin_anew(lane);
         SlopeCarried<Vector>::begin_anew(lane);
+    }
+
+    void take(std::size_t lane, const RemaindersAndSlopeCarried& other, std::size_t from) {
+        RemaindersCarried<Vector>::take(lane, other, from);
+        SlopeCarried<Vector>::take(lane, other, from);
     }
 };
 
@@ -131,6 +179,22 @@ public:
         status_.set(lane, Status());
     }
 
+    /// Copies a trajectory with all that it carries from a lane of others.
+    void take(std::size_t lane, const Trajectories& other, std::size_t from) {
+        detail::take_lane(q, lane, other.q, from);
+        detail::take_lane(p, lane, other.p, from);
+        clock.take(lane, other.clock, from);
+        carried.take(lane, other.carried, from);
+        going_.set(lane, other.going_[from]);
+        status_.set(lane, other.status_[from]);
+    }
+
+    /// Empties a lane: steps of others do not look at it any more.
+    void rest(std::size_t lane) {
+        going_.set(lane, 0);
+        status_.set(lane, Status());
+    }
+
     [[nodiscard]] One operator[](std::size_t lane) const {
         One x;
         x.q = detail::lane_of<Vector>(q, lane);
@@ -147,10 +211,8 @@ public:
     /// Returns the lanes that have not stopped.
     [[nodiscard]] Mask going() const { return Lane(Scalar(0)) < Lane(going_); }
 
-    /// Returns whether a step of size h has something to do. Where h is not finite, all lanes stop.
-    [[nodiscard]] bool begins(Scalar h) {
-        if (h == 0) { return false; }
-        if (!detail::is_finite(h)) { stop(Mask(true), Status::Code::not_finite); }
+    /// Returns whether a step has something to do; h is its size in each lane.
+    [[nodiscard]] bool begins(const typename Lane::Row& h) {
         clock.begin(h);
         return status_.ok() || any(going());
     }

@@ -35,12 +35,14 @@ public:
 
     void set(std::size_t, const Trajectory&) {}
     void get(std::size_t, Trajectory&) const {}
+    void take(std::size_t, const TrajectoryClock&, std::size_t) {}
 
-    template <class Scalar>
-    void begin(const Scalar&) {}
+    template <class Row>
+    void begin(const Row&) {}
 
     [[nodiscard]] End end() const { return {}; }
     [[nodiscard]] bool shows_time_of(const TrajectoryClock&) const { return true; }
+    [[nodiscard]] bool shows_time_of(const TrajectoryClock&, std::size_t) const { return true; }
 };
 
 /// Times of the lanes, summed up as Clock does; remainders are part of the state.
@@ -75,24 +77,33 @@ public:
 
     void get(std::size_t lane, TimedState<Vector>& x) const { x.t = t_[lane]; }
 
-    /// Begins a step of size h.
-    void begin(Scalar h) { h_ = h; }
+    void take(std::size_t lane, const TrajectoryClock& other, std::size_t from) {
+        t_.set(lane, other.t_[from]);
+        remainder_.set(lane, other.remainder_[from]);
+    }
+
+    /// Begins a step of these sizes.
+    void begin(const typename Lane::Row& h) { h_ = h; }
 
     /// Returns the time of the state.
     [[nodiscard]] Lane start() const { return t_; }
 
     /// Returns T_i = t + c_i h.
-    [[nodiscard]] Lane at(Scalar c) const { return start() + (Lane(remainder_) + Lane(c * h_)); }
+    [[nodiscard]] Lane at(Scalar c) const { return start() + (Lane(remainder_) + c * Lane(h_)); }
 
     [[nodiscard]] End end() const { return {two_sum<Lane>(t_, Lane(remainder_) + Lane(h_))}; }
 
     [[nodiscard]] bool shows_time_of(const TrajectoryClock& other) const {
         return same_bits(t_, other.t_);
     }
+    [[nodiscard]] bool shows_time_of(const TrajectoryClock& other, std::size_t lane) const {
+        typename Lane::Row same = t_;
+        same.set(lane, other.t_[lane]);
+        return same_bits(t_, same);
+    }
 
 private:
-    typename Lane::Row t_{}, remainder_{};
-    Scalar h_ = 0;
+    typename Lane::Row t_{}, remainder_{}, h_{};
 };
 
 }  // namespace detail

@@ -19,22 +19,23 @@ public:
     using Lane = Lanes<Scalar, trajectories_at_once>;
     using Mask = typename Lane::Mask;
 
-    /// Sets the factors for h. Precondition: the system is that of the last call, unless forget()
-    /// was called between.
+    /// Sets the factors for steps of these sizes. Precondition: sizes and the system are those of
+    /// the last call, unless forget() was called between.
     template <class System>
-    void set(const System& system, Scalar h) {
-        if (is_known_ && h == h_) { return; }
-        if (!is_known_) { look_at(system); }
-        h_ = h;
+    void set(const System& system, const typename Lane::Row& h) {
+        if (are_known_) { return; }
+        Values velocity, diagonal;
+        look_at(system, velocity, diagonal);
         for (std::size_t k = 0; k < dimension; ++k) {
-            const Lane factor = h * Lane(K_[k]);
+            const Lane factor = Lane(h) * diagonal[k];
             factor.store(factor_[k]);
             (Lane(Scalar(1)) / factor).store(inverse_[k]);
-            (h * Lane(velocity_[k])).store(offset_[k]);
+            (Lane(h) * velocity[k]).store(offset_[k]);
         }
+        are_known_ = true;
     }
 
-    void forget() { is_known_ = false; }
+    void forget() { are_known_ = false; }
 
     [[nodiscard]] Lane operator[](std::size_t k) const { return factor_[k]; }
     [[nodiscard]] Lane inverse(std::size_t k) const { return inverse_[k]; }
@@ -50,10 +51,10 @@ private:
     using Rows = TrajectoryRows<Vector>;
     using Values = LaneVector<Scalar, trajectories_at_once, dimension>;
 
-    /// Sets the values that do not depend on h.
+    /// Sets dH/dp without p, and K_k, or 1.
     template <class System>
-    void look_at(const System& system) {
-        Values p, velocity, diagonal;
+    static void look_at(const System& system, Values& velocity, Values& diagonal) {
+        Values p;
         for (std::size_t k = 0; k < dimension; ++k) { p[k] = Lane(Scalar(0)); }
         system.dHdp(p, velocity);
         for (std::size_t k = 0; k < dimension; ++k) { p[k] = Lane(Scalar(1)); }
@@ -62,15 +63,10 @@ private:
         } else {
             diagonal = p;
         }
-        store(velocity, velocity_);
-        store(diagonal, K_);
-        is_known_ = true;
     }
 
-    Rows K_{}, velocity_{};  ///< K_k, or 1; dH/dp without p
     Rows factor_{}, inverse_{}, offset_{};
-    Scalar h_ = 0;
-    bool is_known_ = false;  ///< whether the rows are of the system
+    bool are_known_ = false;  ///< whether the rows are of the system and its step sizes
 };
 
 }  // namespace hvi::detail

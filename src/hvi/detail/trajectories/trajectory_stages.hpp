@@ -19,13 +19,15 @@ namespace hvi::detail {
 /// Common part of both forms of stages: the start of the step, and the memory of the last one.
 ///
 /// Slopes, as starting values for the next step, belong to the state in which the step ended:
-/// begin() drops them unless it is given exactly these bits. Remainders are part of the state.
+/// begin() drops those of a lane unless it is given exactly these bits. Remainders are part of the
+/// state.
 template <class Vector, std::size_t stages, class One>
 struct TrajectoryMemory {
     using State = Trajectories<Vector, RemaindersCarried, One>;
     using Scalar = ScalarOf<Vector>;
     using Lane = typename State::Lane;
     using Mask = typename State::Mask;
+    using Row = typename Lane::Row;
     using Rows = typename State::Rows;
     using Values = typename State::Values;
     using Slopes = std::array<Rows, stages>;
@@ -34,19 +36,26 @@ struct TrajectoryMemory {
     Rows q{}, p{};  ///< start of the step
     Rows remainder_q{}, remainder_p{};
     TrajectoryClock<One> clock;
-    Rows change_q{}, change_p{};      ///< of the stage values in one sweep, over stages
-    std::array<Scalar, stages> hb{};  ///< h b_j
-    Scalar h = 0;
-    bool extrapolates = false;  ///< whether slopes are of the step before, of equal h
+    Rows change_q{}, change_p{};   ///< of the stage values in one sweep, over stages
+    Row h{};                       ///< step sizes
+    std::array<Row, stages> hb{};  ///< h b_j
+    bool some_go_on = false;       ///< whether lanes have slopes of the step before
+    bool some_begin = false;       ///< whether lanes have none
 
-    /// Prepares a step of size h from x. Returns whether it has something to do.
-    [[nodiscard]] bool begin(State& x, Scalar step_size, const Scalar (&b)[stages]) {
-        if (!sums_.begin(x, step_size)) { return false; }
-        extrapolates = ended_ && h == step_size && same_rows(ended_q_, x.q) &&
-                       same_rows(ended_p_, x.p) && ended_clock_.shows_time_of(x.clock);
-        ended_ = false;
-        if (h != step_size) { hb = weights_of_step(step_size, b); }
-        h = step_size;
+    /// Gives a lane another step size.
+    void resize(std::size_t lane, Scalar step_size, const Scalar (&b)[stages]) {
+        h.set(lane, step_size);
+        const std::array<Scalar, stages> weights = weights_of_step(step_size, b);
+        for (std::size_t j = 0; j < stages; ++j) { hb[j].set(lane, weights[j]); }
+        forget(lane);
+    }
+
+    /// Prepares a step from x. Returns whether it has something to do.
+    [[nodiscard]] bool begin(State& x) {
+        if (!sums_.begin(x, h)) { return false; }
+        forget_what_changed(x);
+        some_begin = any(new_lanes() & x.going());
+        some_go_on = any(!new_lanes() & x.going());
         q = x.q;
         p = x.p;
         clock = x.clock;
@@ -84,12 +93,17 @@ struct TrajectoryMemory {
         ended_q_ = x.q;
         ended_p_ = x.p;
         ended_clock_ = x.clock;
-        ended_ = true;
+        Lane(Scalar(1)).store(known_);
         return x.status();
     }
 
+    /// Returns the lanes that have no slopes of the step before.
+    [[nodiscard]] Mask new_lanes() const { return Lane(known_) == Lane(Scalar(0)); }
+
+    /// Forget what the last step left in a lane, or in all of them.
+    void forget(std::size_t lane) { known_.set(lane, 0); }
     void forget() {
-        ended_ = false;
+        known_ = {};
         sums_.forget();
     }
 
@@ -132,6 +146,19 @@ protected:
     }
 
 private:
+    /// Forgets the slopes of lanes whose state is not that in which the last step ended.
+    void forget_what_changed(const State& x) {
+        if (same_rows(ended_q_, x.q) && same_rows(ended_p_, x.p) &&
+            ended_clock_.shows_time_of(x.clock)) {
+            return;
+        }
+        for (std::size_t lane = 0; lane < trajectories_at_once; ++lane) {
+            const bool is_same = same_lane(ended_q_, x.q, lane) && same_lane(ended_p_, x.p, lane) &&
+                                 ended_clock_.shows_time_of(x.clock, lane);
+            if (!is_same) { forget(lane); }
+        }
+    }
+
     [[nodiscard]] static bool same_rows(const Rows& a, const Rows& b) {
         for (std::size_t k = 0; k < dimension; ++k) {
             if (!same_bits(a[k], b[k])) { return false; }
@@ -139,9 +166,13 @@ private:
         return true;
     }
 
+    [[nodiscard]] static bool same_lane(const Rows& a, const Rows& b, std::size_t lane) {
+        return same_bits(lane_of<Vector>(a, lane), lane_of<Vector>(b, lane));
+    }
+
     Rows ended_q_{}, ended_p_{};
     TrajectoryClock<One> ended_clock_;
-    bool ended_ = false;  ///< whether a step ended there
+    Row known_{};  ///< 1 where a step ended there, with its slopes
     TrajectorySums<State> sums_;
 };
 
@@ -175,24 +206,35 @@ struct VelocityTrajectories : TrajectoryMemory<Vector, stages, One> {
         }
     }
 
-    /// Forgets what depends on the last step, or on the parameters.
+    /// Gives a lane another step size.
+    void resize(std::size_t lane, Scalar step_size, const Scalar (&b)[stages]) {
+        Base::resize(lane, step_size, b);
+        factors_.forget();
+    }
+
+    /// Forget what depends on the last step, or on the parameters, of a lane or of all.
+    void forget(std::size_t lane) {
+        Base::forget(lane);
+        factors_.forget();
+    }
     void forget() {
         Base::forget();
         factors_.forget();
     }
 
-    /// Sets starting values: forces as at the start of the step.
+    /// Sets starting values in these lanes: forces as at the start of the step.
     template <class System>
-    void predict(const System& system) {
-        predict(system, [&](Values& out) { system.dHdq(load(this->q), out); });
+    void predict(const System& system, const Mask& lanes) {
+        predict(system, lanes, [&](Values& out) { system.dHdq(load(this->q), out); });
     }
 
-    /// Sets starting values: forces by `dHdq(out)` at the start of the step.
+    /// Sets starting values in these lanes: forces by `dHdq(out)` at the start of the step.
     template <class System, class Gradient>
-    void predict(const System& system, Gradient dHdq) {
+    void predict(const System& system, const Mask& lanes, Gradient dHdq) {
+        const bool are_all = all(lanes);
         Values slope;
         dHdq(slope);
-        for (std::size_t i = 0; i < stages; ++i) { push(system, i, slope, Mask(true), true); }
+        for (std::size_t i = 0; i < stages; ++i) { push(system, i, slope, lanes, are_all); }
     }
 
     /// Sets starting values from those of the last step.
@@ -258,7 +300,7 @@ private:
               bool are_all) {
         Values force, scaled, path;
         for (std::size_t k = 0; k < dimension; ++k) {
-            force[k] = -this->hb[i] * slope[k];
+            force[k] = -Lane(this->hb[i]) * slope[k];
             scaled[k] = factors_[k] * force[k];
         }
         if constexpr (System::has_diagonal_mass) {
@@ -326,12 +368,14 @@ struct PairTrajectories : TrajectoryMemory<Vector, stages, One> {
 
     Slopes Q{}, P{}, Lq{}, Lp{};
 
-    /// Set starting values: slopes as at the start of the step.
-    void predict_q(const Values& gradient) {
-        for (std::size_t i = 0; i < stages; ++i) { set(Lq[i], this->hb[i], gradient); }
+    /// Set starting values in these lanes: slopes as at the start of the step.
+    void predict_q(const Mask& lanes, const Values& gradient) {
+        for (std::size_t i = 0; i < stages; ++i) { set(lanes, Lane(this->hb[i]), gradient, Lq[i]); }
     }
-    void predict_p(const Values& gradient) {
-        for (std::size_t i = 0; i < stages; ++i) { set(Lp[i], -this->hb[i], gradient); }
+    void predict_p(const Mask& lanes, const Values& gradient) {
+        for (std::size_t i = 0; i < stages; ++i) {
+            set(lanes, -Lane(this->hb[i]), gradient, Lp[i]);
+        }
     }
 
     /// Set starting values from those of the last step.
@@ -353,7 +397,7 @@ struct PairTrajectories : TrajectoryMemory<Vector, stages, One> {
     void velocities(const Mask& lanes, Gradient dHdp) {
         const bool are_all = all(lanes);
         for (std::size_t j = 0; j < stages; ++j) {
-            slope(lanes, are_all, dHdp, j, this->hb[j], Lq);
+            slope(lanes, are_all, dHdp, j, Lane(this->hb[j]), Lq);
         }
     }
 
@@ -362,7 +406,7 @@ struct PairTrajectories : TrajectoryMemory<Vector, stages, One> {
     void forces(const Mask& lanes, Gradient dHdq) {
         const bool are_all = all(lanes);
         for (std::size_t i = 0; i < stages; ++i) {
-            slope(lanes, are_all, dHdq, i, -this->hb[i], Lp);
+            slope(lanes, are_all, dHdq, i, -Lane(this->hb[i]), Lp);
         }
     }
 
@@ -373,8 +417,8 @@ struct PairTrajectories : TrajectoryMemory<Vector, stages, One> {
         for (std::size_t i = 0; i < stages; ++i) {
             Values dHdq, dHdp;
             gradient(i, dHdq, dHdp);
-            keep_scaled(lanes, are_all, -this->hb[i], dHdq, Lp[i]);
-            keep_scaled(lanes, are_all, this->hb[i], dHdp, Lq[i]);
+            keep_scaled(lanes, are_all, -Lane(this->hb[i]), dHdq, Lp[i]);
+            keep_scaled(lanes, are_all, Lane(this->hb[i]), dHdp, Lq[i]);
         }
     }
 
@@ -400,19 +444,19 @@ struct PairTrajectories : TrajectoryMemory<Vector, stages, One> {
     [[nodiscard]] Lane size_p(std::size_t k) const { return size(this->p, P, Lp, k); }
 
 private:
-    static void set(Rows& slope, Scalar factor, const Values& gradient) {
-        for (std::size_t k = 0; k < dimension; ++k) { (factor * gradient[k]).store(slope[k]); }
+    static void set(const Mask& lanes, const Lane& factor, Values gradient, Rows& slope) {
+        keep_scaled(lanes, all(lanes), factor, gradient, slope);
     }
 
     template <class Gradient>
     static void slope(const Mask& lanes, bool are_all, Gradient gradient, std::size_t i,
-                      Scalar factor, Slopes& slopes) {
+                      const Lane& factor, Slopes& slopes) {
         Values out;
         gradient(i, out);
         keep_scaled(lanes, are_all, factor, out, slopes[i]);
     }
 
-    static void keep_scaled(const Mask& lanes, bool are_all, Scalar factor, Values& gradient,
+    static void keep_scaled(const Mask& lanes, bool are_all, const Lane& factor, Values& gradient,
                             Rows& slope) {
         for (Lane& component : gradient) { component = factor * component; }
         Base::keep(lanes, are_all, gradient, slope);

@@ -17,9 +17,9 @@ public:
     using Scalar = typename State::Scalar;
     using Values = typename State::Values;
 
-    /// Begins a step of size h from x. Returns whether it has something to do. Where sums do not
-    /// round as they should, all lanes stop.
-    [[nodiscard]] bool begin(State& x, Scalar h) {
+    /// Begins a step of these sizes from x. Returns whether it has something to do. Where sums do
+    /// not round as they should, all lanes stop.
+    [[nodiscard]] bool begin(State& x, const typename State::Lane::Row& h) {
         if (!are_exact_) { are_exact_ = sums_are_exact<Scalar>(); }
         if (!are_exact_) { x.stop(Mask(true), Status::Code::unsafe_arithmetic); }
         return x.begins(h);

@@ -47,7 +47,7 @@
 
 namespace hvi::generated {
 
-static_assert(hvi::supports_format(14),
+static_assert(hvi::supports_format(15),
               "this header is for another version of hvi: write it again with hvi-gen");
 
 /// The scene quartic with gauss:2, computed in Number: float, double or long double. States hold
@@ -115,7 +115,7 @@ public:
     /// keep those of the constructor.
     void set_parameters(std::size_t lane, const Parameters& parameters) {
         system_.set(lane, System(parameters));
-        reset();
+        reset(lane);
     }
 
     /// Where the scene begins.
@@ -130,24 +130,48 @@ public:
     /// status is not ok has kept its bits, and is not advanced any more. What becomes of a lane
     /// does not depend on the others.
     [[nodiscard]] const hvi::LaneStatus& step(State& x, Scalar h) {
-        if (!s_.begin(x, h, b)) { return x.status(); }
-        if (s_.extrapolates) {
+        if (h == 0) { return x.status(); }
+        if (h != common_h_) {
+            for (std::size_t lane = 0; lane < hvi::trajectories_at_once; ++lane) {
+                set_step(lane, h);
+            }
+            common_h_ = h;
+        }
+        return step(x);
+    }
+
+    /// Gives a lane a step size of its own, for step(x). Precondition: it is not 0.
+    void set_step(std::size_t lane, Scalar h) {
+        if (h == h_[lane]) { return; }
+        common_h_ = 0;
+        h_.set(lane, h);
+        s_.resize(lane, h, b);
+    }
+
+    /// Advances each lane by a step of its own size. Precondition: each has one, from set_step().
+    [[nodiscard]] const hvi::LaneStatus& step(State& x) {
+        if (!s_.begin(x)) { return x.status(); }
+        if (s_.some_go_on) {
             s_.extrapolate_p(N);
         }
-        if (!s_.extrapolates) {
+        if (s_.some_begin) {
+            const Mask lanes = s_.new_lanes();
             Values slope;
             system_.dHdq(hvi::detail::load(s_.q), slope);
-            s_.predict_p(slope);
+            s_.predict_p(lanes, slope);
         }
 
         const auto outcome = solver_.solve(Coupled{system_, s_}, x.going());
         return s_.advance(x, outcome);
     }
 
-    /// Forgets what the last step left here: starting values of the next.
+    /// Forget what the last step left in a lane, or in all: starting values of the next.
+    void reset([[maybe_unused]] std::size_t lane) { s_.forget(lane); }
     void reset() { s_.forget(); }
 
 private:
+    using Lane = typename State::Lane;
+    using Mask = typename State::Mask;
     using Values = typename State::Values;
 
     // rounded(...) is the number of its comment as float, double, long double or __float128: the
@@ -207,6 +231,8 @@ private:
 
     System one_;
     LaneSystem system_;
+    hvi::detail::TrajectoryRow<Scalar> h_{};
+    Scalar common_h_ = 0;  ///< h of all lanes, or 0
     hvi::detail::PairTrajectories<Vector, 2> s_;
     hvi::detail::LaneSweeps<Scalar, hvi::detail::fixed_size<Vector>()> solver_;
 };
