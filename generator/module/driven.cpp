@@ -82,20 +82,29 @@ std::string skipped(const SceneStepper& stepper) {
     return stepper.own_headers.empty() ? "#define _GLIBCXX_BITS_SPECFUN_H 1" : "";
 }
 
-/// Parts of a module's text that depend on the numbers in which its steps are computed.
-struct NumbersOfModule {
-    std::string include;  ///< before the header of the stepper
-    std::string driven;   ///< the header with the functions of the module
-    std::string stepper;  ///< its class
+/// Parts of a module's text that depend on the kind of its steps.
+struct ModuleKind {
+    std::string include;    ///< before the header of the stepper
+    std::string driven;     ///< the header with the functions of the module
+    std::string face;       ///< the class that has them
+    std::string functions;  ///< their type and symbol
+    std::string stepper;    ///< the class of the stepper
 };
 
-NumbersOfModule numbers_of(const SceneStepper& stepper) {
-    if (stepper.step.dual_parts == 0) {
-        return {"", "hvi/detail/module/driven.hpp", stepper.class_name};
+ModuleKind kind_of(const SceneStepper& stepper) {
+    if (stepper.step.layout == Layout::trajectories) {
+        return {"", "hvi/detail/module/rows_in_lanes.hpp", "RowsInLanes", "RowFunctions hvi_rows",
+                stepper.class_name};
     }
-    return {
-        "#include <driver/dual.hpp>", "driver/carried_in_duals.hpp",
-        fmt::format("Basic{}<hvi::driver::Dual<{}>>", stepper.class_name, stepper.step.dual_parts)};
+    ModuleKind kind{"", "hvi/detail/module/driven.hpp", "Driven", "DrivenFunctions hvi_scene",
+                    stepper.class_name};
+    if (stepper.step.dual_parts != 0) {
+        kind.include = "#include <driver/dual.hpp>";
+        kind.driven = "driver/carried_in_duals.hpp";
+        kind.stepper = fmt::format("Basic{}<hvi::driver::Dual<{}>>", stepper.class_name,
+                                   stepper.step.dual_parts);
+    }
+    return kind;
 }
 
 }  // namespace
@@ -114,13 +123,15 @@ DrivenModule driven_module(const SceneStepper& stepper) {
     const System& system = driven.system;
     DrivenModule module;
     module.numbers = std::move(driven.numbers);
-    const NumbersOfModule numbers = numbers_of(stepper);
+    const ModuleKind kind = kind_of(stepper);
     const std::string skip = skipped(stepper);
     const auto source = [&](SeldomSolvers seldom) {
-        Holes holes = stepper_holes(system, numbers.stepper, class_text(stepper, system, seldom));
-        holes.emplace("skip", skip);
-        holes.emplace("numbers", numbers.include);
-        holes.emplace("driven", numbers.driven);
+        Holes holes = stepper_holes(system, kind.stepper, class_text(stepper, system, seldom));
+        holes.merge(Holes{{"skip", skip},
+                          {"numbers", kind.include},
+                          {"driven", kind.driven},
+                          {"face", kind.face},
+                          {"functions", kind.functions}});
         return fill("driven.cpp.in", holes);
     };
     if (!has_seldom_solvers(stepper.step)) {
@@ -130,9 +141,9 @@ DrivenModule driven_module(const SceneStepper& stepper) {
     module.source = source(SeldomSolvers::apart);
     module.solvers =
         fill("solvers.cpp.in", {{"skip", skip},
-                                {"numbers", numbers.include},
+                                {"numbers", kind.include},
                                 {"stepper", class_text(stepper, system, SeldomSolvers::alone)},
-                                {"class", numbers.stepper}});
+                                {"class", kind.stepper}});
     return module;
 }
 

@@ -84,12 +84,6 @@ private:
         }
     }
 
-    static void say(const char* text, char* message, std::size_t room) {
-        std::size_t k = 0;
-        for (; text[k] != '\0' && k + 1 < room; ++k) { message[k] = text[k]; }
-        message[k] = '\0';
-    }
-
     static void destroy(void* instance) { delete static_cast<Of*>(instance); }
 
     static DrivenSizes sizes(const void* instance) {

@@ -26,7 +26,8 @@ struct EnsembleRows {
     std::int64_t* taken;        ///< steps that went well
     int* statuses;              ///< codes of Status, or row_not_finished
     double* energy_errors;      ///< the largest departures of the energy, or null: not asked for
-    double* invariants;         ///< at the end, or null: not asked for
+    double* conserved;          ///< at the end: the energy, unless H depends on the time, then
+                                ///< invariants; or null: not asked for
     bool (*is_stopped)();       ///< asked every few thousand steps: whether the work is to end
 };
 

@@ -73,7 +73,7 @@ private:
             return courses_.steps(i);
         }
 
-        static void see(const Group&) {}
+        static void see(const Stepper&, const Group&) {}
         static constexpr bool goes_on() { return true; }
 
         void end(std::size_t lane, const Group& x, std::int64_t steps) {

@@ -19,8 +19,8 @@ inline constexpr std::int64_t steps_at_once = 4096;
 ///
 /// `Source` has these members. begin(lane, x, stepper) puts a trajectory into a lane of x, gives
 /// the stepper its size of steps and its parameters, and returns how many steps it takes, or 0
-/// where there are no more. see(x) looks at a state after each step. end(lane, x, steps) takes a
-/// trajectory that has taken so many steps. goes_on() is false where the work is to end.
+/// where there are no more. see(stepper, x) looks at a state after each step. end(lane, x, steps)
+/// takes a trajectory that has taken so many steps. goes_on() is false where the work is to end.
 template <class Stepper, class Source>
 class SideBySide {
 public:
@@ -71,7 +71,7 @@ private:
         bool is_ok = true;
         for (; taken < steps && is_ok; ++taken) {
             is_ok = stepper.step(x).ok();
-            source_.see(x);
+            source_.see(stepper, x);
         }
         stepper_ = stepper;
         x_ = x;
