@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/drive/module.hpp"
 
-#include <dlfcn.h>
-
 #include <cstddef>
 #include <new>
 #include <stdexcept>
 #include <utility>
+
+#include "generator/drive/library.hpp"
 
 namespace hvi::gen {
 
@@ -15,12 +15,8 @@ namespace {
 /// The functions of a library of this version, which stays loaded.
 template <class Functions>
 const Functions* functions(const std::string& path, const char* symbol) {
-    void* const library = ::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
-    if (library == nullptr) throw std::runtime_error(::dlerror());
-    const auto* const found = static_cast<const Functions*>(::dlsym(library, symbol));
-    if (found == nullptr || found->version != detail::driven_version)
-        throw std::runtime_error(path + " is no module of this version of hvi");
-    return found;
+    return static_cast<const Functions*>(
+        functions_of_library(path, symbol, detail::driven_version));
 }
 
 void* made(const detail::DrivenFunctions& call, const std::string& directory,

@@ -18,6 +18,8 @@ namespace {
 constexpr const char* help_on_compilers = "CXX names the compiler: CXX=g++ hvi-gen run kepler";
 constexpr const char* help_on_mpi =
     "install an MPI, of Debian libopenmpi-dev and openmpi-bin, or let MPICXX name its compiler";
+constexpr const char* help_on_cuda =
+    "install the CUDA toolkit, or let NVCC name its compiler: NVCC=/usr/local/cuda/bin/nvcc";
 
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
 
@@ -87,7 +89,19 @@ Compiler find_mpi_compiler() {
     return compiler;
 }
 
+Compiler find_device_compiler() {
+    Compiler compiler = compiler_of({"NVCC", "nvcc", "compiler of CUDA", help_on_cuda});
+    // NOTE: the first line is the name alone.
+    if (const std::optional<ChildResult> all = answer_of(compiler, "--version"); all && all->ok())
+        compiler.version = all->output;
+    return compiler;
+}
+
 std::vector<std::string> compiler_options(Artifact artifact) {
+    // NOTE: without a kind of card, nvcc writes for the oldest one that it knows, and the driver
+    // makes that fit the card, and keeps it.
+    if (artifact == Artifact::device_library)
+        return {"-std=c++17", "-O3", "-I.", "-shared", "-Xcompiler", "-fPIC", "-x", "cu"};
     std::vector<std::string> options{"-std=c++17", "-O3", "-march=native", "-I."};
     if (artifact == Artifact::library) options.insert(options.end(), {"-shared", "-fPIC"});
     return options;

@@ -20,8 +20,12 @@ struct Compiler {
 /// too. Throws EnvironmentError where there is none.
 [[nodiscard]] Compiler find_mpi_compiler();
 
-/// Kinds of files that the compiler makes.
-enum class Artifact { program, library };
+/// Finds the compiler of CUDA: NVCC of the environment, else nvcc. Throws EnvironmentError where
+/// there is none.
+[[nodiscard]] Compiler find_device_compiler();
+
+/// Kinds of files that the compiler makes; nvcc makes a library with kernels for a GPU.
+enum class Artifact { program, library, device_library };
 
 /// Returns options for fast programs.
 [[nodiscard]] std::vector<std::string> compiler_options(Artifact artifact);
