@@ -15,6 +15,7 @@
 #include "generator/emit/text/names.hpp"
 #include "generator/ensembles/slurm.hpp"
 #include "generator/pipeline/directions.hpp"
+#include "generator/pipeline/side_by_side.hpp"
 #include "generator/support/digest.hpp"
 #include "generator/support/output_file.hpp"
 #include "generator/support/process.hpp"
@@ -116,6 +117,7 @@ std::string key_of(const EnsembleOptions& options, const EnsembleWork& work,
                    const std::vector<std::string>& columns, const RowSource& source) {
     std::string text = fmt::format("{}\n{}\n{}\n", version, work.stepper.header, source.key());
     for (const OwnHeader& own : work.stepper.own_headers) text += own.text + "\n";
+    if (work.at_once) text += work.at_once->header;
     text += options.interpret ? "interpreted\n" : "compiled\n";
     text += fmt::format("{}\n{}\n", work.scene.text, work.scene.origin);
     for (const Given& given : {options.step, options.until})
@@ -125,10 +127,11 @@ std::string key_of(const EnsembleOptions& options, const EnsembleWork& work,
     return digest(text);
 }
 
-std::int64_t rows_in_chunk(const EnsembleOptions& options, std::int64_t rows) {
-    constexpr std::int64_t chunks = 256, most = 10000;
+std::int64_t rows_in_chunk(const EnsembleOptions& options, bool are_at_once, std::int64_t rows) {
+    constexpr std::int64_t chunks = 256, most = 10000, together = 32;
     if (options.chunk) return *options.chunk;
-    return std::clamp((rows + chunks - 1) / chunks, std::int64_t(1), most);
+    const std::int64_t fewest = are_at_once ? together : 1;
+    return std::clamp((rows + chunks - 1) / chunks, fewest, most);
 }
 
 fs::path directory_of(const EnsembleOptions& options, const RunSubject& subject) {
@@ -158,6 +161,12 @@ struct AskedStudy {
     Study study;
 };
 
+/// Whether rows are plain enough to go side by side.
+bool are_at_once(const EnsembleOptions& options, const Scene& scene) {
+    return options.wishes.lanes.choice != Lanes::none && !options.interpret && !options.megno &&
+           !options.reduce && scene.events.empty() && !scene.kinks;
+}
+
 EnsembleWork work_of(const EnsembleOptions& options, const MethodAndScene& both,
                      const RowSource& source, const SceneTimes& times) {
     const NamedExpression step = wish(times, options.step, times.step, "step"),
@@ -168,6 +177,8 @@ EnsembleWork work_of(const EnsembleOptions& options, const MethodAndScene& both,
     EnsembleWork work{both.scene, std::move(stepper), std::move(plan)};
     work.wishes.looks_at_end = work.stepper.step.container == Container::vectors;
     work.wishes.growth = options.megno;
+    if (are_at_once(options, both.scene))
+        work.at_once = stepper_side_by_side(work.stepper, both.method, both.scene, wishes);
     if (!options.megno) return work;
     SceneStepper directions = directions_of(both, work.stepper, wishes);
     RowPlan of_them(both.scene, directions, source.names(), step, until);
@@ -195,7 +206,7 @@ AskedStudy asked_study(const EnsembleOptions& options) {
                 .command = command_of(options),
                 .key = "",
                 .rows = source.count(),
-                .rows_in_chunk = rows_in_chunk(options, source.count()),
+                .rows_in_chunk = rows_in_chunk(options, work.at_once.has_value(), source.count()),
                 .columns = column_names_of(work, state, asked)};
     study.key = key_of(options, work, study.columns, source);
     check_map(study, options.map);

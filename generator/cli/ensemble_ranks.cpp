@@ -30,7 +30,9 @@ void compute_on(const MpiRank& rank, const Study& study, StudyRows& rows) {
         if (rank.number() == 0)
             bar.show(static_cast<double>(place) / static_cast<double>(todo.size()));
         return compute_chunk(
-            study, chunk, [&](std::int64_t row) { return rows.at(row); }, [] {});
+            study, chunk,
+            [&](std::int64_t first, std::int64_t count) { return rows.from(first, count); },
+            [](std::int64_t) {});
     });
 }
 

@@ -3,6 +3,9 @@
 
 #include <limits>
 
+#include <hvi/state.hpp>
+
+#include "generator/drive/rows_module.hpp"
 #include "generator/simulate/simulation.hpp"
 
 namespace hvi::gen {
@@ -29,19 +32,69 @@ bool Targets::compile_solvers() const {
     return some_were_missing;
 }
 
-std::optional<std::vector<double>> StudyRows::at(std::int64_t number) {
-    const std::vector<double> values = source_.at(number);
-    const std::optional<RowEnd> end = end_of(values);
-    if (!end) return {};
-    std::vector<double> row{static_cast<double>(number)};
-    row.insert(row.end(), values.begin(), values.end());
-    add(*end, row);
-    return row;
+Families Targets::families() const {
+    Families result{steppers_of(steppers)};
+    if (directions) result.directions = steppers_of(*directions);
+    if (!at_once) return result;
+    result.at_once = &loaded_rows(std::filesystem::absolute(at_once->file).string());
+    result.directory = std::filesystem::absolute("." / at_once->directory).string();
+    return result;
 }
 
-/// Returns the end of a row; that of one which takes no steps has no numbers.
-std::optional<RowEnd> StudyRows::end_of(const std::vector<double>& values) const {
-    const RowData data = work_.plan.at(values);
+std::vector<std::vector<double>> StudyRows::from(std::int64_t first, std::int64_t count) {
+    const std::vector<Asked> rows = asked(first, count);
+    const Ends ends = families_.at_once != nullptr ? ends_at_once(rows) : Ends{end_of(rows[0])};
+    std::vector<std::vector<double>> result;
+    for (std::size_t i = 0; i < rows.size() && ends[i]; ++i) {
+        std::vector<double> row{static_cast<double>(first + static_cast<std::int64_t>(i))};
+        row.insert(row.end(), rows[i].values.begin(), rows[i].values.end());
+        add(*ends[i], row);
+        result.push_back(std::move(row));
+    }
+    return result;
+}
+
+/// Returns rows that are taken together: as many as take a moment, so that progress is seen.
+std::vector<StudyRows::Asked> StudyRows::asked(std::int64_t first, std::int64_t count) {
+    constexpr std::int64_t most = 4096, fewest = 32, most_steps = 4'000'000;
+    std::vector<Asked> rows;
+    std::int64_t steps = 0;
+    const auto is_enough = [&] {
+        const auto size = static_cast<std::int64_t>(rows.size());
+        if (families_.at_once == nullptr) return size == 1;
+        return size == most || (size >= fewest && steps > most_steps);
+    };
+    for (std::int64_t number = first; number < first + count && !is_enough(); ++number) {
+        std::vector<double> values = source_.at(number);
+        RowData data = work_.plan.at(values);
+        steps += std::min(data.steps, most_steps);
+        rows.push_back({std::move(values), std::move(data)});
+    }
+    return rows;
+}
+
+/// Returns the ends of rows. NOTE: fixed points are iterated there. Alone, a row may go on with
+/// Newton's method, so that one which is stiff has an end as well.
+StudyRows::Ends StudyRows::ends_at_once(const std::vector<Asked>& rows) const {
+    constexpr auto stiff = static_cast<std::size_t>(Status::Code::not_converged);
+    RowBatch batch;
+    for (const Asked& row : rows)
+        if (row.data.fault == RowStatus::ok)
+            batch.add(row.data.numbers, row.data.h, row.data.steps);
+    Ends taken = take_batch(work_.wishes, *families_.at_once, families_.directory, batch);
+    Ends ends;
+    auto next = taken.begin();
+    for (const Asked& row : rows) {
+        const bool is_taken = row.data.fault == RowStatus::ok;
+        ends.push_back(is_taken ? std::move(*next++) : end_of(row));
+        if (is_taken && ends.back() && ends.back()->status == stiff) ends.back() = end_of(row);
+    }
+    return ends;
+}
+
+/// Returns the end of a row that is taken alone; that of one which takes no steps has no numbers.
+std::optional<RowEnd> StudyRows::end_of(const Asked& row) const {
+    const RowData& data = row.data;
     if (data.fault != RowStatus::ok) return none(data.fault);
     RowStart start{.make = families_.steppers(data.numbers),
                    .h = data.h,
@@ -49,7 +102,7 @@ std::optional<RowEnd> StudyRows::end_of(const std::vector<double>& values) const
                    .clock = data.clock,
                    .events = data.events};
     if (work_.directions)
-        start.make_directions = families_.directions(work_.directions->plan.at(values).numbers);
+        start.make_directions = families_.directions(work_.directions->plan.at(row.values).numbers);
     return take_row(work_.wishes, start);
 }
 

@@ -1,4 +1,4 @@
-// Rows of a study, computed one after the other.
+// Rows of a study, computed one after the other, or many at once.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "generator/drive/ensemble_row.hpp"
+#include "generator/drive/row_batch.hpp"
 #include "generator/ensembles/row_plan.hpp"
 #include "generator/ensembles/row_source.hpp"
 #include "generator/ensembles/study.hpp"
@@ -29,6 +30,8 @@ struct EnsembleWork {
     RowWishes wishes = {};           ///< its columns are the state, then those that are asked for
     std::size_t count_of_state = 0;  ///< columns of the state
     std::optional<CarriedDirections> directions = {};
+    /// Steppers of many rows at once. A row whose iterations do not converge there is taken alone.
+    std::optional<SceneStepper> at_once = {};
 
     /// Returns the names of the events that are counted.
     [[nodiscard]] std::vector<std::string> events() const;
@@ -40,21 +43,22 @@ struct EnsembleWork {
 struct Families {
     StepperFamily steppers;
     StepperFamily directions = nullptr;
+    const detail::RowFunctions* at_once = nullptr;
+    std::string directory = {};  ///< of the files of the scene
 };
 
 /// Targets that take the steps of a study.
 struct Targets {
     Target steppers;
     std::optional<Target> directions = {};
+    std::optional<Library> at_once = {};
 
     /// Compiles solvers that steps seldom call. Returns whether some were missing. Throws as their
     /// build does.
     bool compile_solvers() const;
 
     /// Loads the steppers. Throws as steppers_of() does.
-    [[nodiscard]] Families families() const {
-        return {steppers_of(steppers), directions ? steppers_of(*directions) : StepperFamily()};
-    }
+    [[nodiscard]] Families families() const;
 };
 
 /// Computes rows. Precondition: work and source live longer.
@@ -63,12 +67,22 @@ public:
     StudyRows(const EnsembleWork& work, RowSource& source, Families families)
         : work_(work), source_(source), families_(std::move(families)) {}
 
-    /// Returns the numbers of a row, one for each column of the study; nothing where SIGTERM has
-    /// come. Throws as take_row() and RowSource do.
-    [[nodiscard]] std::optional<std::vector<double>> at(std::int64_t number);
+    /// Returns some of `count` rows, from the first on: of each its numbers, one for each column of
+    /// the study. There is one at least, unless SIGTERM has come. Throws as take_row(),
+    /// take_batch() and RowSource do.
+    [[nodiscard]] std::vector<std::vector<double>> from(std::int64_t first, std::int64_t count);
 
 private:
-    [[nodiscard]] std::optional<RowEnd> end_of(const std::vector<double>& values) const;
+    /// A row before it begins.
+    struct Asked {
+        std::vector<double> values;
+        RowData data;
+    };
+    using Ends = std::vector<std::optional<RowEnd>>;
+
+    [[nodiscard]] std::vector<Asked> asked(std::int64_t first, std::int64_t count);
+    [[nodiscard]] std::optional<RowEnd> end_of(const Asked& row) const;
+    [[nodiscard]] Ends ends_at_once(const std::vector<Asked>& rows) const;
     [[nodiscard]] RowEnd none(RowStatus fault) const;
     void add(const RowEnd& end, std::vector<double>& row) const;
 

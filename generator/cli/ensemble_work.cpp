@@ -28,8 +28,8 @@ namespace {
 class Reports {
 public:
     ~Reports() { tell(); }
-    void operator()() {
-        ++rows_;
+    void operator()(std::int64_t rows) {
+        rows_ += rows;
         if (Clock::now() - last_ > std::chrono::milliseconds(100)) tell();
     }
 
@@ -55,8 +55,9 @@ int work_on(const Study& study, StudyRows& rows) {
             LockClaims claims(study);
             while (const auto chunk = claims.next()) {
                 const bool is_whole = compute_chunk(
-                    study, *chunk, [&](std::int64_t row) { return rows.at(row); },
-                    [&] { reports(); });
+                    study, *chunk,
+                    [&](std::int64_t first, std::int64_t count) { return rows.from(first, count); },
+                    [&](std::int64_t count) { reports(count); });
                 if (!is_whole || is_stopped()) break;
             }
             return 0;
@@ -121,8 +122,11 @@ void heed_warning() {
 Targets targets_of(const EnsembleWork& work, Runner& runner) {
     runner.begin(work.stepper);
     if (work.directions) runner.begin(work.directions->stepper);
+    if (work.at_once) runner.begin(*work.at_once);
     Targets targets{runner.target(work.stepper)};
     if (work.directions) targets.directions = runner.target(work.directions->stepper);
+    if (work.at_once && !runner.interprets())
+        targets.at_once = std::get<Library>(runner.target(*work.at_once));
     return targets;
 }
 

@@ -61,6 +61,8 @@ constexpr std::array lanes = {choice("auto", Lanes::automatic), choice("stages",
                               choice("none", Lanes::none)};
 constexpr std::array lanes_of_one = {choice("auto", Lanes::automatic),
                                      choice("stages", Lanes::stages), choice("none", Lanes::none)};
+constexpr std::array lanes_of_rows = {choice("auto", Lanes::automatic),
+                                      choice("none", Lanes::none)};
 constexpr std::array unrolls = {choice("auto", Unroll::automatic), choice("yes", Unroll::yes),
                                 choice("no", Unroll::no)};
 constexpr std::array languages = {choice("c", Language::c), choice("python", Language::python)};
@@ -246,6 +248,13 @@ constexpr std::array table = {
                 .placeholder = "LANES",
                 .choices = lanes_of_one,
                 .help = "Computations in parallel SIMD lanes",
+                .wish = &StepperWishes::lanes},
+    OptionEntry{.name = "--lanes",
+                .of = {ensemble},
+                .value = Value::choice,
+                .placeholder = "LANES",
+                .choices = lanes_of_rows,
+                .help = "Rows in SIMD lanes, or with the bits of `run`",
                 .wish = &StepperWishes::lanes},
     OptionEntry{.name = "--unroll",
                 .of = {scheme},

@@ -30,6 +30,16 @@ std::string obstacle_in_stages(const Step& step) {
     return are_unknowns ? "" : "some stages are equal, or the state itself";
 }
 
+/// Returns the reason why trajectories cannot be computed side by side, whatever the solver is.
+std::string obstacle_in_form(const Step& step) {
+    if (step.from_parameter) { return "the coefficients depend on a parameter"; }
+    if (std::holds_alternative<ExplicitStep>(step.form)) { return ""; }
+    if (step.iteration() == nullptr) { return "they have no curve"; }
+    if (std::holds_alternative<GalerkinStep>(step.form)) { return of_curves; }
+    if (std::holds_alternative<ChartStep>(step.form)) { return of_charts; }
+    return obstacle_in_stages(step);
+}
+
 /// Returns whether iterations wait for operands more than they compute.
 ///
 /// NOTE: measured with AVX-512, gauss:8, registers of 4 against those of 8: Kepler 0.76 of the
@@ -60,14 +70,18 @@ std::string obstacle_to_stage_lanes(const Step& step) {
 }
 
 std::string obstacle_to_ensemble(const Step& step) {
-    if (step.from_parameter) { return "the coefficients depend on a parameter"; }
-    if (std::holds_alternative<ExplicitStep>(step.form)) { return ""; }
     const Iteration* iteration = step.iteration();
-    if (iteration == nullptr) { return "they have no curve"; }
-    if (std::holds_alternative<GalerkinStep>(step.form)) { return of_curves; }
-    if (std::holds_alternative<ChartStep>(step.form)) { return of_charts; }
-    if (iteration->solver != Solver::fixed_point) { return "they are iterated by fixed points"; }
-    return obstacle_in_stages(step);
+    if (iteration != nullptr && iteration->solver != Solver::fixed_point) {
+        return "they are iterated by fixed points";
+    }
+    return obstacle_in_form(step);
+}
+
+bool may_go_side_by_side(const Step& step) {
+    const Iteration* iteration = step.iteration();
+    const bool is_open = iteration == nullptr || iteration->solver == Solver::automatic ||
+                         iteration->solver == Solver::fixed_point;
+    return is_open && obstacle_in_form(step).empty();
 }
 
 std::string obstacle_to_threads(const Step& step) {

@@ -13,6 +13,10 @@ namespace hvi::gen {
 /// Returns the reason why trajectories cannot be computed side by side; empty where they can.
 [[nodiscard]] std::string obstacle_to_ensemble(const Step& step);
 
+/// Whether trajectories could be computed side by side, with fixed points where a step of one
+/// chooses its solver as it runs.
+[[nodiscard]] bool may_go_side_by_side(const Step& step);
+
 /// Returns the reason why a trajectory cannot be a thread of a GPU; empty where it can.
 [[nodiscard]] std::string obstacle_to_threads(const Step& step);
 

@@ -35,6 +35,7 @@ public:
 
     static constexpr bool has_time = detail::HasTime<State>::value;
     static constexpr std::size_t dimension = decltype(State::q)::size();
+    static constexpr std::size_t conserved = Problem::invariant_count + (has_time ? 0 : 1);
 
     [[nodiscard]] static constexpr detail::RowFunctions functions() {
         return {
@@ -196,9 +197,11 @@ private:
             rows_.taken[i] = x.steps;
             const bool goes_on = x.status == Status::Code::ok && x.steps < start.steps;
             rows_.statuses[i] = goes_on ? detail::row_not_finished : static_cast<int>(x.status);
-            if (rows_.invariants == nullptr) { return; }
-            Problem::values(Stepper(start.parameters), x,
-                            rows_.invariants + i * Problem::invariant_count);
+            if (rows_.conserved == nullptr) { return; }
+            const Stepper stepper(start.parameters);
+            double* values = rows_.conserved + i * conserved;
+            if constexpr (!has_time) { *values++ = static_cast<double>(stepper.energy(x)); }
+            Problem::values(stepper, x, values);
         }
 
         const EnsembleRows& rows_;

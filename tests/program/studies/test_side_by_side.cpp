@@ -1,0 +1,99 @@
+// Rows of studies that go eight side by side.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <catch2/catch.hpp>
+
+#include "tests/program/studies/study_run.hpp"
+
+using namespace hvi::test;
+
+namespace {
+
+const std::string stars =
+    "hamiltonian = \"(px^2 + py^2)/2 + (x^2 + y^2)/2 + k*(x^2*y - y^3/3)\"\n"
+    "coordinates = [\"x\", \"y\"]\nmomenta = [\"px\", \"py\"]\nparameters = {k = 1}\n"
+    "initial = {x = 0, y = \"1/10\", px = \"2/5\", py = 0}\n"
+    "run = {method = \"gauss:4\", step = \"1/4\", until = 50}\n";
+
+const std::string pushed = "hamiltonian = \"p^2/2 - cos(q) - F*q*cos(2*t/3)\"\n"
+                           "coordinates = [\"q\"]\nmomenta = [\"p\"]\nparameters = {F = \"1/10\"}\n"
+                           "initial = {q = 1, p = 0}\n"
+                           "run = {method = \"gauss:4\", step = \"1/10\", until = 10}\n";
+
+/// Checks that rows are those that were taken alone, up to rounding.
+void check_beside_alone(const std::string& scene, const std::string& words,
+                        const std::vector<std::string>& columns) {
+    const TextTable together = study_of(scene, words),
+                    alone = study_of(scene, words + " --lanes none");
+    REQUIRE(together.names == alone.names);
+    REQUIRE(together.rows.size() == alone.rows.size());
+    for (std::size_t row = 0; row < alone.rows.size(); ++row) {
+        CAPTURE(scene, words, row);
+        for (const std::string word : {"row", "t", "status", "steps"})
+            CHECK(together.at(row, word) == alone.at(row, word));
+        for (const std::string& column : columns) {
+            CAPTURE(column);
+            CHECK(std::abs(together.number(row, column) - alone.number(row, column)) < 1e-12);
+        }
+    }
+}
+
+}  // namespace
+
+TEST_CASE("rows side by side are those taken alone, up to rounding") {
+    const std::string words = "--vary k=1/2:1:11 --vary step=1/10:1/4:2 --vary until=5:20:3";
+    const std::vector<std::string> columns{"x", "y", "px", "py", "energy_error", "energy"};
+    for (const std::string method : {"gauss:4", "stormer-verlet", "midpoint"})
+        check_beside_alone(stars, words + " --columns energy --method " + method, columns);
+    check_beside_alone(
+        stars, words + " --columns energy --method stormer-verlet --compose kahan-li:8", columns);
+    for (const std::string method : {"gauss:4", "stormer-verlet"})
+        check_beside_alone(pushed, "--vary F=0:1:9 --vary q=0:1:3 --method " + method, {"q", "p"});
+}
+
+TEST_CASE("bits of a row do not depend on the rows beside it") {
+    const std::string of_others = " --vary until=5:20:4 --columns energy";
+    const TextTable rows = study_of(stars, "--vary k=1/4:1:7" + of_others);
+    const TextTable few = study_of(stars, "--vary k=1/2:1:2" + of_others + " --chunk 1");
+    REQUIRE(rows.rows.size() == 28);
+    for (std::size_t row = 0; row < 8; ++row) {
+        const std::size_t same = row < 4 ? 8 + row : 24 + row - 4;  // k is 1/2, and 1
+        for (const std::string column :
+             {"k", "until", "x", "y", "px", "py", "t", "energy_error", "energy"}) {
+            CAPTURE(row, column);
+            CHECK(rows.at(same, column) == few.at(row, column));
+        }
+    }
+}
+
+TEST_CASE("a row that is too stiff for fixed points is taken alone, by Newton's method") {
+    const std::string scene = "hamiltonian = \"p^2/2 + k*(q^2/2 + q^4/4)\"\n"
+                              "coordinates = [\"q\"]\nmomenta = [\"p\"]\nparameters = {k = 1}\n"
+                              "initial = {q = \"1/10\", p = 0}\n"
+                              "run = {method = \"gauss:2\", step = \"1/10\", until = 10}\n";
+    const TextTable rows = study_of(scene, "--vary k=1:1000001:3");
+    for (std::size_t row = 0; row < 3; ++row) {
+        CAPTURE(row);
+        CHECK(rows.at(row, "status") == "ok");
+        CHECK(rows.at(row, "steps") == "100");
+        if (row == 0) continue;
+        const LastRow run = run_of(scene, "--param k=" + rows.at(row, "k"));
+        for (const std::string column : {"q", "p"}) CHECK(rows.at(row, column) == run.at(column));
+    }
+    const TextTable kept = study_of(scene, "--vary k=1:1000001:3 --solver fixed-point");
+    CHECK(kept.at(0, "status") == "ok");
+    CHECK(kept.at(1, "status") == "not_converged");
+}
+
+TEST_CASE("rows side by side fail one by one") {
+    const TextTable rows = study_of(stars, "--vary y=1/10:601/10:13 --method stormer-verlet");
+    for (std::size_t row = 0; row < 13; ++row) {
+        CAPTURE(row);
+        const bool is_bound = row == 0;  // the others are above the saddle, and leave for ever
+        CHECK(rows.at(row, "status") == (is_bound ? "ok" : "not_finite"));
+        CHECK((rows.number(row, "steps") == 200) == is_bound);
+    }
+}
