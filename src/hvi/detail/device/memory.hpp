@@ -47,11 +47,6 @@ struct Host {
 };
 
 #if defined(__CUDACC__)
-template <class Body>
-HVI_KERNEL void body_kernel(std::size_t count, Body body) {
-    for (std::size_t i = thread_number(); i < count; i += thread_count()) { body(i); }
-}
-
 /// A card, by the functions of CUDA; see Host.
 struct Card {
     /// Throws std::runtime_error where there is no card.
