@@ -4,7 +4,6 @@
 
 #include <optional>
 
-#include "generator/options/wishes.hpp"
 #include "generator/pipeline/stepper.hpp"
 #include "generator/simulate/simulation.hpp"
 

@@ -133,7 +133,9 @@ TEST_CASE("nvcc compiles a module of rows, which wants a card") {
     CHECK(compiler->version.find("release") != std::string::npos);
     Builds builds(*compiler);
     const SimulationProgram made = device_program(verlet_of_device("kepler"));
-    const auto& call = loaded_rows(built(made.order(builds).build).string());
+    const std::filesystem::path library = built(made.order(builds).build);
+    CHECK(hvi::test::contents(library).find("body_kernel") != std::string::npos);
+    const auto& call = loaded_rows(library.string());
     CHECK(call.sizes.coordinates == 2);
     CHECK(call.sizes.momenta == 2);
     CHECK(call.sizes.invariants == 1);
@@ -156,4 +158,12 @@ TEST_CASE("without nvcc there is no GPU, and what is no module of rows is none")
 
     CHECK_THROWS_AS(loaded_rows("/there/is/no/library"), std::runtime_error);
     CHECK_THROWS_AS(loaded_rows(HVI_PRETENDED_MODULE), std::runtime_error);
+    hvi::test::use_cache();
+    Builds builds(find_compiler());
+    const auto other = builds.order({.main = "extern \"C\" const int hvi_rows;\n"
+                                             "const int hvi_rows = 1234;\n",
+                                     .headers = {},
+                                     .artifact = Artifact::library});
+    CHECK_THROWS_WITH(loaded_rows(built(other).string()),
+                      Catch::EndsWith("is no module of this version of hvi"));
 }

@@ -10,3 +10,5 @@ HVI_KERNEL_OF(BasicKahanLiPushedThreads<double>)
 HVI_KERNEL_OF(BasicVerletFunctionsThreads<double>)
 HVI_KERNEL_OF(BasicVerletFunctionsThreads<float>)
 HVI_KERNEL_OF(BasicGauss2DoublePendulumThreads<double>)
+
+HVI_KERNELS_OF_ROWS(BasicVerletFunctionsThreads<double>)

@@ -14,3 +14,6 @@ HVI_KERNEL_OF(BasicKahanLiKeplerThreads<double>)
 HVI_KERNEL_OF(BasicAdjointEulerChainThreads<double>)
 HVI_KERNEL_OF(BasicGauss4KeplerThreads<double>)
 HVI_KERNEL_OF(BasicGauss3NonseparableThreads<float>)
+
+HVI_KERNELS_OF_ROWS(BasicVerletKeplerThreads<float>)
+HVI_KERNELS_OF_ROWS(BasicGauss4KeplerThreads<double>)

@@ -9,3 +9,10 @@
     }
 
 HVI_KERNELS_TO_RUN(HVI_KERNEL_TO_RUN)
+
+#define HVI_ROW_TO_RUN(name, Stepper)                                                              \
+    extern "C" HVI_KERNEL void name(hvi::device::AdvanceRow<Stepper> advance, std::size_t i) {     \
+        advance(i);                                                                                \
+    }
+
+HVI_ROWS_TO_RUN(HVI_ROW_TO_RUN)

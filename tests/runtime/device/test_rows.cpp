@@ -209,7 +209,8 @@ TEST_CASE("rows that fail end by themselves") {
     rows.h[3] = 1e200;
     rows.steps[3] = rows.steps[4];
     REQUIRE(rows.take(hvi::device::DeviceRows<KeplerModule>::functions()) == DrivenAnswer::ok);
-    for (const std::size_t i : {0, 1, 4, 5}) { check_row<KeplerModule>(rows, i); }
+    const std::size_t others[] = {0, 1, 4, 5};
+    for (const std::size_t i : others) { check_row<KeplerModule>(rows, i); }
     const int not_finite = static_cast<int>(hvi::Status::Code::not_finite);
     CHECK(rows.statuses[2] == not_finite);
     CHECK(rows.taken[2] == 0);

@@ -123,6 +123,8 @@ class Kernel:
             return f"1 / {of[0]}"
         if head in FUNCTIONS and kind in ("f32", "f64"):
             return f"{FUNCTIONS[head]}{'f' if kind == 'f32' else ''}({', '.join(of)})"
+        if head in ("min", "max"):
+            return f"{of[0]} {'<' if head == 'min' else '>'} {of[1]} ? {of[0]} : {of[1]}"
         raise SystemExit(f"what does {head}.{kind} do?")
 
     def transfer(self, head, kind, operands):

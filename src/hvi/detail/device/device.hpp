@@ -172,6 +172,12 @@ template <class Number>
     return 1;
 #endif
 }
+
+/// Calls body(i) for each i below `count`. Any number of threads does so.
+template <class Body>
+HVI_KERNEL void body_kernel(std::size_t count, Body body) {
+    for (std::size_t i = thread_number(); i < count; i += thread_count()) { body(i); }
+}
 #endif
 
 /// Returns the counter, and adds 1 to it.

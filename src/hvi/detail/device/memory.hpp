@@ -47,11 +47,6 @@ struct Host {
 };
 
 #if defined(__CUDACC__)
-template <class Body>
-HVI_KERNEL void body_kernel(std::size_t count, Body body) {
-    for (std::size_t i = thread_number(); i < count; i += thread_count()) { body(i); }
-}
-
 /// A card, by the functions of CUDA; see Host.
 struct Card {
     /// Throws std::runtime_error where there is no card.
@@ -96,8 +91,11 @@ struct Card {
     static void for_each(std::size_t count, const Body& body) {
         constexpr std::size_t block = 128;
         if (count == 0) { return; }
-        body_kernel<<<static_cast<unsigned>((count + block - 1) / block), block>>>(count, body);
-        demand(cudaGetLastError());
+        const auto blocks = static_cast<unsigned>((count + block - 1) / block);
+        void (*const kernel)(std::size_t, Body) = body_kernel<Body>;
+        void* arguments[] = {&count, const_cast<Body*>(&body)};
+        demand(cudaLaunchKernel(reinterpret_cast<const void*>(kernel), dim3(blocks), dim3(block),
+                                arguments, 0, nullptr));
     }
 
 private:

@@ -45,8 +45,9 @@ public:
 private:
     /// Bytes of a device that rows take together at most, unless one needs more.
     static constexpr std::size_t most_bytes = std::size_t{1} << 30;
-    /// Steps of a row between two looks for the end of the work, and those of all rows together, a
-    /// few seconds of a card; but never fewer than pay for the copies around them.
+    /// Steps of a row between two looks for the end of the work, and those of all rows together;
+    /// but never fewer than pay for the copies around them. NOTE: that a card takes all of these in
+    /// some seconds is an estimate.
     static constexpr std::int64_t most_steps = 4096, least_steps = 128;
     static constexpr std::int64_t most_steps_of_all = std::int64_t{1} << 28;
 
