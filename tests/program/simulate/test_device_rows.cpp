@@ -42,7 +42,7 @@ SceneStepper verlet_of_device(const std::string& scene, const std::string& value
 /// Rows around the start of a scene, with steps of several sizes.
 struct RowsOfScene {
     std::size_t count = 7, size;
-    std::vector<double> numbers, h, states, energy_errors, invariants;
+    std::vector<double> numbers, h, states, energy_errors, conserved;
     std::vector<std::int64_t> steps, taken;
     std::vector<int> statuses;
 
@@ -56,7 +56,7 @@ struct RowsOfScene {
         }
         states.resize(count * size);
         energy_errors.resize(count);
-        invariants.resize(count * sizes.invariants);
+        conserved.resize(count * (1 + sizes.invariants));
         taken.resize(count);
         statuses.resize(count);
     }
@@ -64,25 +64,26 @@ struct RowsOfScene {
     void take(const hvi::detail::RowFunctions& call) {
         take_rows(call, ".", numbers.size() / count,
                   {count, numbers.data(), h.data(), steps.data(), states.data(), taken.data(),
-                   statuses.data(), energy_errors.data(), invariants.data(), [] { return false; }});
+                   statuses.data(), energy_errors.data(), conserved.data(), [] { return false; }});
     }
 
     /// Checks row i against steps of the stepper, one after the other.
     void check(std::size_t i, NumberStepper& stepper) const {
-        const std::size_t of_invariants = stepper.sizes().invariants;
-        std::vector<double> state(size), values(of_invariants);
+        const std::size_t values_of_row = 1 + stepper.sizes().invariants;
+        std::vector<double> state(size), values(values_of_row);
         stepper.begin(state.data());
-        std::vector<hvi::detail::Departure> departures(1 + of_invariants);
+        std::vector<hvi::detail::Departure> departures(values_of_row);
         departures.front().start = stepper.energy(state.data());
         REQUIRE(stepper.follow(state.data(), h[i], steps[i], departures.data()) == 0);
-        stepper.invariants(state.data(), values.data());
+        values.front() = stepper.energy(state.data());
+        stepper.invariants(state.data(), values.data() + 1);
         INFO("row " << i);
         CHECK(statuses[i] == 0);
         CHECK(taken[i] == steps[i]);
         CHECK(std::memcmp(&states[i * size], state.data(), size * sizeof(double)) == 0);
         CHECK(energy_errors[i] == departures.front().largest);
-        CHECK(std::memcmp(invariants.data() + i * of_invariants, values.data(),
-                          of_invariants * sizeof(double)) == 0);
+        CHECK(std::memcmp(conserved.data() + i * values_of_row, values.data(),
+                          values_of_row * sizeof(double)) == 0);
     }
 };
 

@@ -16,17 +16,16 @@ using hvi::detail::DrivenAnswer;
 using hvi::detail::EnsembleRows;
 using hvi::detail::RowFunctions;
 
-/// A scene that a module could have, with one function of it and the energy as invariants.
+/// A scene that a module could have, with one function of it as an invariant.
 template <class Threads>
 struct Module {
     using Stepper = Threads;
     using Parameters = typename Stepper::Parameters;
 
     static Parameters parameters(const char*) { return {}; }
-    static constexpr std::size_t invariant_count = 2;
-    static void values(const Stepper& stepper, const typename Stepper::State& x, double* out) {
-        *out++ = stepper.energy(x);
-        *out++ = 3 * x.q[0];
+    static constexpr std::size_t invariant_count = 1;
+    static void values(const Stepper&, const typename Stepper::State& x, double* out) {
+        *out = 3 * x.q[0];
     }
 };
 
@@ -54,10 +53,10 @@ class Rows {
 public:
     std::vector<double> parameters, h;
     std::vector<std::int64_t> steps;
-    bool looks = true;  ///< at the energy and at invariants
+    bool looks = true;  ///< at the energy and at what is conserved
     bool (*is_stopped)() = [] { return false; };
 
-    std::vector<double> states, energy_errors, invariants;
+    std::vector<double> states, energy_errors, conserved;
     std::vector<std::int64_t> taken;
     std::vector<int> statuses;
     std::string message;
@@ -69,7 +68,7 @@ public:
         taken.assign(count, -1);
         statuses.assign(count, -1);
         energy_errors.assign(count, -1);
-        invariants.assign(count * sizes.invariants, -1);
+        conserved.assign(count * (sizes.invariants + (sizes.has_time ? 0 : 1)), -1);
         const EnsembleRows rows{count,
                                 parameters.data(),
                                 h.data(),
@@ -78,7 +77,7 @@ public:
                                 taken.data(),
                                 statuses.data(),
                                 looks ? energy_errors.data() : nullptr,
-                                looks ? invariants.data() : nullptr,
+                                looks ? conserved.data() : nullptr,
                                 is_stopped};
         char text[200] = "";
         const DrivenAnswer answer =
@@ -106,11 +105,15 @@ struct Alone {
             stepper.step(x, by);
             energy_error = std::fmax(energy_error, std::fabs(stepper.energy(x) - energy));
         }
-        Problem::values(stepper, x, invariants);
+        if (!has_time) { conserved.push_back(stepper.energy(x)); }
+        conserved.push_back(3 * x.q[0]);
     }
 
+    static constexpr bool has_time = HasTime<typename Stepper::State>::value;
+
     typename Stepper::State x;
-    double energy_error = 0, invariants[2] = {};
+    double energy_error = 0;
+    std::vector<double> conserved;
 };
 
 bool same_numbers(const double* x, const double* y, std::size_t count) {
@@ -128,7 +131,8 @@ void check_row(const Rows& rows, std::size_t i) {
     CHECK(rows.taken[i] == rows.steps[i]);
     CHECK(same_numbers(state, &alone.x.q[0], n));
     CHECK(same_numbers(state + n, &alone.x.p[0], n));
-    CHECK(same_numbers(rows.invariants.data() + 2 * i, alone.invariants, 2));
+    const std::size_t values = alone.conserved.size();
+    CHECK(same_numbers(rows.conserved.data() + values * i, alone.conserved.data(), values));
     if constexpr (HasTime<decltype(alone.x)>::value) {
         CHECK(size == 2 * n + 1);
         CHECK(same_numbers(state + 2 * n, &alone.x.t, 1));
@@ -220,7 +224,7 @@ TEST_CASE("rows that fail end by themselves") {
     CHECK(std::isfinite(rows.states[3 * 4]));
 }
 
-TEST_CASE("energies and invariants are left out where nobody asks for them") {
+TEST_CASE("energies and conserved values are left out where nobody asks for them") {
     Rows rows = rows_of(6, true), plain = rows;
     plain.looks = false;
     constexpr RowFunctions call = hvi::device::DeviceRows<KeplerModule>::functions();
@@ -229,7 +233,7 @@ TEST_CASE("energies and invariants are left out where nobody asks for them") {
     CHECK(same_numbers(rows.states.data(), plain.states.data(), rows.states.size()));
     CHECK(plain.taken == rows.taken);
     CHECK(plain.energy_errors == std::vector<double>(6, -1));
-    CHECK(plain.invariants == std::vector<double>(12, -1));
+    CHECK(plain.conserved == std::vector<double>(12, -1));
 }
 
 TEST_CASE("rows stop on the way where somebody asks for the end") {

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <cstdio>
 #include <exception>
 #include <new>
 #include <stdexcept>
@@ -60,7 +59,7 @@ private:
         } catch (const std::bad_alloc&) {
             return detail::DrivenAnswer::out_of_memory;
         } catch (const std::exception& error) {
-            std::snprintf(message, room, "%s", error.what());
+            detail::say(error.what(), message, room);
             return detail::DrivenAnswer::failed;
         }
     }
