@@ -8,14 +8,13 @@
 
 #include "generator/cli/commands.hpp"
 #include "generator/cli/ensemble_results.hpp"
+#include "generator/cli/ensemble_steppers.hpp"
 #include "generator/cli/ensemble_work.hpp"
 #include "generator/cli/method.hpp"
 #include "generator/cli/output_times.hpp"
 #include "generator/cli/run_wishes.hpp"
 #include "generator/emit/text/names.hpp"
 #include "generator/ensembles/slurm.hpp"
-#include "generator/pipeline/directions.hpp"
-#include "generator/pipeline/side_by_side.hpp"
 #include "generator/support/digest.hpp"
 #include "generator/support/output_file.hpp"
 #include "generator/support/process.hpp"
@@ -37,29 +36,6 @@ RowSources sources_of(const EnsembleOptions& options, const SceneTimes& times) {
     for (const Given& text : options.vary) sources.grids.push_back(grid(text, times));
     for (const Given& text : options.random) sources.laws.push_back(law(text, times));
     return sources;
-}
-
-StepperWishes wishes_of(const EnsembleOptions& options) {
-    StepperWishes wishes = simulation_wishes(options.wishes.solver, options.wishes.composition);
-    wishes.unroll = options.wishes.unroll;
-    if (options.interpret) wishes.lanes = {Lanes::none};
-    return wishes;
-}
-
-/// The steppers of the directions that MEGNO takes. Throws InputError where steps carry none.
-SceneStepper directions_of(const MethodAndScene& both, const SceneStepper& stepper,
-                           const StepperWishes& wishes) {
-    constexpr std::string_view what = "--megno";
-    refuse_scale(both.scene, what);
-    if (both.scene.kinks)
-        throw InputError("--megno is not built for kinks that end steps", both.scene.kinks);
-    for (const IndexedEvent& event : both.scene.events)
-        if (event.set) throw InputError("--megno is not built for events that jump", event.place);
-    if (!stepper.system.is_written_out())
-        throw InputError("--megno of an ensemble is not built where sums stay loops",
-                         both.scene.place,
-                         "--unroll yes writes the sums out, up to 256 degrees of freedom");
-    return stepper_of_directions(stepper, both.method, both.scene, wishes, what, 1);
 }
 
 using NamedNumbers = std::vector<std::pair<std::string, std::size_t>>;
@@ -127,10 +103,13 @@ std::string key_of(const EnsembleOptions& options, const EnsembleWork& work,
     return digest(text);
 }
 
-std::int64_t rows_in_chunk(const EnsembleOptions& options, bool are_at_once, std::int64_t rows) {
-    constexpr std::int64_t chunks = 256, most = 10000, together = 32;
+/// NOTE: some 100 000 rows fill a large card.
+std::int64_t rows_in_chunk(const EnsembleOptions& options, const EnsembleWork& work,
+                           std::int64_t rows) {
+    constexpr std::int64_t chunks = 256, most = 10000, side_by_side = 32, on_device = 1 << 17;
     if (options.chunk) return *options.chunk;
-    const std::int64_t fewest = are_at_once ? together : 1;
+    if (work.are_on_device()) return on_device;
+    const std::int64_t fewest = work.at_once ? side_by_side : 1;
     return std::clamp((rows + chunks - 1) / chunks, fewest, most);
 }
 
@@ -151,6 +130,7 @@ void check_parameters(const MethodAndScene& both, const std::vector<VariedName>&
 
 std::size_t workers_of(const EnsembleOptions& options) {
     if (options.workers) return static_cast<std::size_t>(*options.workers);
+    if (options.cuda) return 1;
     return std::max(1U, std::thread::hardware_concurrency());
 }
 
@@ -160,31 +140,6 @@ struct AskedStudy {
     EnsembleWork work;
     Study study;
 };
-
-/// Whether rows are plain enough to go side by side.
-bool are_at_once(const EnsembleOptions& options, const Scene& scene) {
-    return options.wishes.lanes.choice != Lanes::none && !options.interpret && !options.megno &&
-           !options.reduce && scene.events.empty() && !scene.kinks;
-}
-
-EnsembleWork work_of(const EnsembleOptions& options, const MethodAndScene& both,
-                     const RowSource& source, const SceneTimes& times) {
-    const NamedExpression step = wish(times, options.step, times.step, "step"),
-                          until = wish(times, options.until, times.until, "until");
-    const StepperWishes wishes = wishes_of(options);
-    SceneStepper stepper = scene_stepper(both.method, both.scene, wishes);
-    RowPlan plan(both.scene, stepper, source.names(), step, until);
-    EnsembleWork work{both.scene, std::move(stepper), std::move(plan)};
-    work.wishes.looks_at_end = work.stepper.step.container == Container::vectors;
-    work.wishes.growth = options.megno;
-    if (are_at_once(options, both.scene))
-        work.at_once = stepper_side_by_side(work.stepper, both.method, both.scene, wishes);
-    if (!options.megno) return work;
-    SceneStepper directions = directions_of(both, work.stepper, wishes);
-    RowPlan of_them(both.scene, directions, source.names(), step, until);
-    work.directions.emplace(CarriedDirections{std::move(directions), std::move(of_them)});
-    return work;
-}
 
 AskedStudy asked_study(const EnsembleOptions& options) {
     const MethodAndScene both = read_scene(options.method, options.system);
@@ -206,7 +161,7 @@ AskedStudy asked_study(const EnsembleOptions& options) {
                 .command = command_of(options),
                 .key = "",
                 .rows = source.count(),
-                .rows_in_chunk = rows_in_chunk(options, work.at_once.has_value(), source.count()),
+                .rows_in_chunk = rows_in_chunk(options, work, source.count()),
                 .columns = column_names_of(work, state, asked)};
     study.key = key_of(options, work, study.columns, source);
     check_map(study, options.map);

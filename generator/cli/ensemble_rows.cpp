@@ -54,15 +54,17 @@ std::vector<std::vector<double>> StudyRows::from(std::int64_t first, std::int64_
     return result;
 }
 
-/// Returns rows that are taken together: as many as take a moment, so that progress is seen.
+/// Returns rows that are taken together: as many as take a moment, so that progress is seen. A GPU
+/// takes all.
 std::vector<StudyRows::Asked> StudyRows::asked(std::int64_t first, std::int64_t count) {
-    constexpr std::int64_t most = 4096, fewest = 32, most_steps = 4'000'000;
+    constexpr std::int64_t side_by_side = 4096, fewest = 32, most_steps = 4'000'000;
+    const std::int64_t most = work_.are_on_device() ? count : side_by_side;
     std::vector<Asked> rows;
     std::int64_t steps = 0;
     const auto is_enough = [&] {
         const auto size = static_cast<std::int64_t>(rows.size());
         if (families_.at_once == nullptr) return size == 1;
-        return size == most || (size >= fewest && steps > most_steps);
+        return size == most || (!work_.are_on_device() && size >= fewest && steps > most_steps);
     };
     for (std::int64_t number = first; number < first + count && !is_enough(); ++number) {
         std::vector<double> values = source_.at(number);

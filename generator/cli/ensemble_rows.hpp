@@ -33,6 +33,9 @@ struct EnsembleWork {
     /// Steppers of many rows at once. A row whose iterations do not converge there is taken alone.
     std::optional<SceneStepper> at_once = {};
 
+    [[nodiscard]] bool are_on_device() const {
+        return at_once && at_once->step.layout == Layout::threads;
+    }
     /// Returns the names of the events that are counted.
     [[nodiscard]] std::vector<std::string> events() const;
     /// Whether the energy is among the conserved quantities.

@@ -125,8 +125,7 @@ Targets targets_of(const EnsembleWork& work, Runner& runner) {
     if (work.at_once) runner.begin(*work.at_once);
     Targets targets{runner.target(work.stepper)};
     if (work.directions) targets.directions = runner.target(work.directions->stepper);
-    if (work.at_once && !runner.interprets())
-        targets.at_once = std::get<Library>(runner.target(*work.at_once));
+    if (work.at_once) targets.at_once = runner.library(*work.at_once);
     return targets;
 }
 

@@ -234,6 +234,7 @@ EnsembleOptions ensemble_options(const Words& words, const CommandLine& line) {
     options.seed = words.whole_number("--seed").value_or(options.seed);
     options.chunk = words.whole_number("--chunk");
     if (words.has("--interpret")) options.interpret = words.place("--interpret");
+    if (words.has("--cuda")) options.cuda = words.place("--cuda");
     options.workers = words.whole_number("--workers");
     if (const auto tasks = words.whole_number("--slurm")) {
         options.launcher = Launcher::slurm;
@@ -276,8 +277,8 @@ bool is_file(ReportItem item) {
     return item == html || item == json || item == csv || item == svg;
 }
 
-/// Returns the named files and parts of a report. No named file means all files; no named part means
-/// work on scenes, and with --edges all parts at the edges.
+/// Returns the named files and parts of a report. No named file means all files; no named part
+/// means work on scenes, and with --edges all parts at the edges.
 std::set<ReportItem> items_of_report(const Words& words) {
     using enum ReportItem;
     const std::set<ReportItem> named = words.choices<ReportItem>("--only");

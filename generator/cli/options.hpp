@@ -116,11 +116,12 @@ struct EnsembleOptions {
     int samples = 1, seed = 1;       ///< of random values
     std::optional<int> chunk;        ///< rows that a worker takes at once
     std::optional<Place> interpret;  ///< without a compiler
+    std::optional<Place> cuda;       ///< on a GPU
     Launcher launcher = Launcher::processes;
-    std::optional<int> workers;  ///< processes of this machine, or tasks of Slurm
-    Given map;                   ///< columns of a picture
+    std::optional<int> workers;                   ///< processes of this machine, or tasks of Slurm
+    Given map;                                    ///< columns of a picture
     std::optional<std::filesystem::path> output;  ///< a directory
-    std::vector<std::string> words;  ///< the words of the command line
+    std::vector<std::string> words;               ///< the words of the command line
 };
 
 struct CollectOptions {
@@ -201,10 +202,10 @@ struct Information {
     std::string text;
 };
 
-using Request =
-    std::variant<TableauOptions, CheckOptions, StepperOptions, SchemeOptions, RunOptions,
-                 EnsembleOptions, CollectOptions, ModuleOptions, ReportOptions, SymmetriesOptions, ShowOptions, ListOptions,
-                 CacheOptions, CompletionsOptions, ManualOptions, Information>;
+using Request = std::variant<TableauOptions, CheckOptions, StepperOptions, SchemeOptions,
+                             RunOptions, EnsembleOptions, CollectOptions, ModuleOptions,
+                             ReportOptions, SymmetriesOptions, ShowOptions, ListOptions,
+                             CacheOptions, CompletionsOptions, ManualOptions, Information>;
 
 /// Reads the command line. Throws InputError with a caret in it, or in the value at fault.
 [[nodiscard]] Request parse(const CommandLine& line);

@@ -9,6 +9,7 @@
 
 #include "generator/interpret/interpretation.hpp"
 #include "generator/module/driven.hpp"
+#include "generator/simulate/device_program.hpp"
 
 namespace hvi::gen {
 
@@ -20,9 +21,20 @@ Runner::Runner(const std::optional<Place>& interpret) : interpret_(interpret) {
 }
 
 void Runner::begin(const SceneStepper& stepper) {
+    if (stepper.step.layout == Layout::threads) {
+        if (!device_builds_) device_builds_.emplace(find_device_compiler());
+        begun_.emplace(&stepper, device_program(stepper).order(*device_builds_));
+        return;
+    }
     if (!compiler_) return;
     if (!builds_) builds_.emplace(*compiler_);
     begun_.emplace(&stepper, simulation_program(stepper).order(*builds_));
+}
+
+std::optional<Library> Runner::library(const SceneStepper& stepper) const {
+    const auto found = begun_.find(&stepper);
+    if (found == begun_.end()) return {};
+    return std::get<Library>(found->second.target());
 }
 
 Target Runner::target(const SceneStepper& stepper) {

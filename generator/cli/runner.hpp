@@ -18,7 +18,8 @@ public:
 
     [[nodiscard]] bool interprets() const { return !compiler_.has_value(); }
 
-    /// Begins to compile a stepper in advance.
+    /// Begins to compile a stepper in advance. Throws EnvironmentError where it is one for a GPU,
+    /// and there is no compiler for that.
     void begin(const SceneStepper& stepper);
 
     /// Returns the compiled or interpreted steps. Throws InputError where steps cannot be
@@ -26,12 +27,16 @@ public:
     /// either. Preconditions: begin() was called with the stepper, which lives longer.
     [[nodiscard]] Target target(const SceneStepper& stepper);
 
+    /// Returns the compiled stepper; nothing where steps are interpreted. Precondition: begin() was
+    /// called with it.
+    [[nodiscard]] std::optional<Library> library(const SceneStepper& stepper) const;
+
 private:
     std::optional<Place> interpret_;
     std::optional<Compiler> compiler_;
     std::optional<EnvironmentError> missing_;
     bool has_said_so_ = false;  ///< a message that there is no compiler was shown
-    std::optional<Builds> builds_;
+    std::optional<Builds> builds_, device_builds_;
     std::map<const SceneStepper*, ModuleBuild> begun_;
 };
 

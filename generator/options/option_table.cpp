@@ -36,9 +36,8 @@ constexpr std::array commands = {
     CommandEntry{help, "help", "[COMMAND]", "Print what a command and its options do"},
 };
 
-constexpr Commands every{tableau, check,      stepper, scheme,  run,     report,
-                         module,  symmetries, show,    list,    cache,   completions,
-                         manual,  help,       collect, ensemble};
+constexpr Commands every{tableau, check, stepper, scheme,      run,    report, module,  symmetries,
+                         show,    list,  cache,   completions, manual, help,   collect, ensemble};
 constexpr Commands with_method{tableau, check, stepper, scheme, run, ensemble, module, report};
 constexpr Commands with_parameters{tableau,  check,  stepper, scheme,    run,
                                    ensemble, module, report,  symmetries};
@@ -76,13 +75,17 @@ constexpr std::array exponents = {choice("largest", Exponents::largest),
 constexpr std::array run_files = {choice("table", RunFile::table),
                                   choice("picture", RunFile::picture),
                                   choice("summary", RunFile::summary)};
-constexpr std::array report_items = {
-    choice("html", ReportItem::html),      choice("json", ReportItem::json),
-    choice("csv", ReportItem::csv),        choice("svg", ReportItem::svg),
-    choice("work", ReportItem::work),      choice("rejections", ReportItem::rejections),
-    choice("stiff", ReportItem::stiff),    choice("extreme", ReportItem::extreme),
-    choice("long", ReportItem::long_runs), choice("time", ReportItem::time),
-    choice("symplecticity", ReportItem::symplecticity)};
+constexpr std::array report_items = {choice("html", ReportItem::html),
+                                     choice("json", ReportItem::json),
+                                     choice("csv", ReportItem::csv),
+                                     choice("svg", ReportItem::svg),
+                                     choice("work", ReportItem::work),
+                                     choice("rejections", ReportItem::rejections),
+                                     choice("stiff", ReportItem::stiff),
+                                     choice("extreme", ReportItem::extreme),
+                                     choice("long", ReportItem::long_runs),
+                                     choice("time", ReportItem::time),
+                                     choice("symplecticity", ReportItem::symplecticity)};
 constexpr std::array topics = {choice("bases", Topic::bases), choice("nodes", Topic::nodes),
                                choice("methods", Topic::methods), choice("scenes", Topic::scenes),
                                choice("functions", Topic::functions)};
@@ -411,13 +414,13 @@ constexpr std::array table = {
                 .value = Value::text,
                 .placeholder = "T",
                 .help = "Time at the end, in place of the scene's"},
-    OptionEntry{.name = "--times",
-                .of = {run},
-                .value = Value::text,
-                .placeholder = "FROM:TO:COUNT",
-                .help = "Write rows of the table at these times",
-                .excludes = {.others = "--every",
-                             .what = "--times sets the rows: it does not go with {}"}},
+    OptionEntry{
+        .name = "--times",
+        .of = {run},
+        .value = Value::text,
+        .placeholder = "FROM:TO:COUNT",
+        .help = "Write rows of the table at these times",
+        .excludes = {.others = "--every", .what = "--times sets the rows: it does not go with {}"}},
     OptionEntry{.name = "--every",
                 .of = {run},
                 .value = Value::whole,
@@ -479,7 +482,9 @@ constexpr std::array table = {
                 .placeholder = "WHICH",
                 .choices = exponents,
                 .help = "Lyapunov exponents, and MEGNO with the largest"},
-    OptionEntry{.name = "--megno", .of = {run, ensemble}, .help = "The chaos indicator MEGNO: 2 if regular"},
+    OptionEntry{.name = "--megno",
+                .of = {run, ensemble},
+                .help = "The chaos indicator MEGNO: 2 if regular"},
     OptionEntry{
         .name = "--sali", .of = {run}, .help = "The smaller alignment index: it vanishes in chaos"},
     OptionEntry{.name = "--frequencies",
@@ -499,9 +504,8 @@ constexpr std::array table = {
                 .excludes = {.others = "--accuracy --lanes",
                              .what = "--interpret takes plain steps with one number after "
                                      "the other: it does not go with {}"}},
-    OptionEntry{.name = "--interpret",
-                .of = {ensemble},
-                .help = "Take the steps without a compiler"},
+    OptionEntry{
+        .name = "--interpret", .of = {ensemble}, .help = "Take the steps without a compiler"},
 
     // Studies
     OptionEntry{.name = "--initial",
@@ -540,7 +544,7 @@ constexpr std::array table = {
                 .value = Value::whole,
                 .placeholder = "ROWS",
                 .range = {1, 100'000'000},
-                .help = "Rows that a worker takes at once (at most 10000)"},
+                .help = "Rows that a worker takes at once (10000, or fewer)"},
     OptionEntry{.name = "--workers",
                 .of = {ensemble},
                 .value = Value::whole,
@@ -565,8 +569,8 @@ constexpr std::array table = {
                 .help = "Draw columns: Z as colour over X and Y; or X and Y"},
     OptionEntry{.name = "--cuda",
                 .of = {ensemble},
-                .help = "Write a program for nvcc",
-                .state = State::to_come},
+                .help = "Rows as threads of an NVIDIA GPU, compiled by nvcc",
+                .excludes = {.others = "--interpret --megno --reduce --lanes"}},
     OptionEntry{.name = "--no-symmetries",
                 .of = {check},
                 .help = "Do not search for symmetries of the scene",

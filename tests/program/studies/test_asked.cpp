@@ -58,7 +58,9 @@ TEST_CASE("studies that cannot be are refused, with the place") {
     asked.refused("--vary w=0:1:3 --map 'w'", 2, "two or three columns are wanted here");
     asked.refused("--vary w=0:1:3 --slurm 3 --mpi", 2, "--mpi");
     asked.refused("--vary w=0:1:3 --workers 0", 2, "--workers");
-    asked.refused("--vary w=0:1:3 --cuda", 2, "--cuda is to come");
+    asked.refused("--vary w=0:1:3 --lanes stages", 2, "--lanes");
+    for (const std::string other : {"--megno", "--interpret", "--reduce 'min(q)'", "--lanes none"})
+        asked.refused("--vary w=0:1:3 --cuda " + other, 2, "--cuda does not go with");
     asked.refused("--vary w=0:1:100000000 --vary q=0:1:100000000", 2, "10^15");
 }
 
