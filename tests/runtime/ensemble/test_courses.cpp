@@ -124,14 +124,18 @@ TEMPLATE_TEST_CASE("one that begins where another has ended knows nothing of it"
     first.advance(h, 5);
     x.push_back(first.state(0));  // it takes the lane of the first, whose steps are over first
     const std::vector<double> sizes(9, h);
-    std::vector<std::int64_t> steps(9, 50);
-    steps[0] = 5;
-    hvi::Ensemble<Many> ensemble(x);
-    ensemble.advance(sizes, steps, 1);
-    hvi::Ensemble<Many> alone({x[8]});
-    alone.advance(h, 50);
-    CHECK(same_bits(ensemble.state(8), alone.state(0)));
-    CHECK(ensemble.status(8).iterations == alone.status(0).iterations);
+    for (const std::int64_t last : {1, 50}) {
+        std::vector<std::int64_t> steps(9, 50);
+        steps[0] = 5;
+        steps[8] = last;
+        hvi::Ensemble<Many> ensemble(x);
+        ensemble.advance(sizes, steps, 1);
+        hvi::Ensemble<Many> alone({x[8]});
+        alone.advance(h, last);
+        CHECK(same_bits(ensemble.state(8), alone.state(0)));
+        // Starting values of the step before would leave less to iterate.
+        CHECK(ensemble.status(8).iterations == alone.status(0).iterations);
+    }
 }
 
 TEST_CASE("steppers of one trajectory go courses, too") {
