@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <fstream>
 #include <iterator>
@@ -78,17 +79,19 @@ fs::path beside(const fs::path& lock) {
     return fmt::format("{}.{}.{}", lock.string(), host(), ::getpid());
 }
 
-/// Whether a lock was not touched for long, compared with a file that is made now. NOTE: clocks of
-/// machines differ, and that of the file system is one.
-bool is_old(const fs::path& lock) {
-    const std::optional<long> then = touched(lock);
-    if (!then) return false;
+long seconds_here() {
+    const auto now = std::chrono::steady_clock::now().time_since_epoch();
+    return static_cast<long>(std::chrono::duration_cast<std::chrono::seconds>(now).count());
+}
+
+/// Returns the time of a file that is made beside a lock now.
+std::optional<long> now_beside(const fs::path& lock) {
     const fs::path probe = beside(lock);
     std::ofstream(probe) << "now";
     const std::optional<long> now = touched(probe);
     std::error_code ignored;
     fs::remove(probe, ignored);
-    return now && *now - *then > seconds_until_stale;
+    return now;
 }
 
 // ---- the touched lock ----
@@ -163,16 +166,40 @@ std::optional<std::int64_t> LockClaims::next() {
     while (looked_at_ < study_.chunks()) {
         const std::int64_t chunk = (first_ + looked_at_) % study_.chunks();
         ++looked_at_;
-        if (!is_done(study_, chunk) && claim(chunk)) return chunk;
+        if (!was_done(chunk) && !is_done(study_, chunk) && claim(chunk)) return chunk;
     }
     return {};
+}
+
+/// Whether a chunk was done when this worker came to its directory.
+bool LockClaims::was_done(std::int64_t chunk) {
+    const std::int64_t directory = chunk / Study::in_directory;
+    if (listed_ != directory) {
+        done_ = done_in(study_, directory);
+        listed_ = directory;
+    }
+    return done_[static_cast<std::size_t>(chunk % Study::in_directory)];
+}
+
+/// Whether a lock was not touched for long. NOTE: clocks of machines differ, and that of the file
+/// system is one. It is asked once, as that takes a new file.
+bool LockClaims::is_old(const fs::path& lock) {
+    const std::optional<long> then = touched(lock);
+    if (!then) return false;
+    if (!ahead_) {
+        const std::optional<long> now = now_beside(lock);
+        if (!now) return false;
+        ahead_ = *now - seconds_here();
+    }
+    return seconds_here() + *ahead_ - *then > seconds_until_stale;
 }
 
 bool LockClaims::claim(std::int64_t chunk) {
     const fs::path path = study_.file(chunk, "lock");
     std::error_code error;
     fs::create_directories(path.parent_path(), error);
-    int lock = new_lock(path);
+    // NOTE: a look changes no directory, as a lock that is made in vain would.
+    int lock = touched(path) ? -1 : new_lock(path);
     if (lock < 0 && (has_died(contents(path)) || is_old(path))) {
         take_away(path);
         lock = new_lock(path);

@@ -3,8 +3,10 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "generator/ensembles/study.hpp"
 
@@ -28,12 +30,17 @@ public:
     [[nodiscard]] std::optional<std::int64_t> next();
 
 private:
+    [[nodiscard]] bool was_done(std::int64_t chunk);
+    [[nodiscard]] bool is_old(const std::filesystem::path& lock);
     [[nodiscard]] bool claim(std::int64_t chunk);
     void release();
 
     const Study& study_;
     std::int64_t first_, looked_at_ = 0;
     std::optional<std::int64_t> claimed_;
+    std::optional<std::int64_t> listed_;  ///< the directory of `done_`
+    std::vector<bool> done_;
+    std::optional<long> ahead_;  ///< of the clock of the file system, in seconds
 };
 
 }  // namespace hvi::gen

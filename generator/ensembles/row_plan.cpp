@@ -61,14 +61,10 @@ bool may_mention(const Scene& scene, const IndexedEvent& event,
                        });
 }
 
-std::set<std::string> inputs_of(const Graph& graph, const Scaled& value) {
-    std::set<std::string> names;
-    if (const std::optional<Expression> expression = written(graph, value))
-        walk(*expression, [&](const Expression& part) {
-            if (part.kind == Expression::Kind::symbol) names.insert(part.name);
-            return true;
-        });
-    return names;
+/// Whether a value may depend on parameters with these names. NOTE: a long one is not looked at.
+bool may_depend(const Graph& graph, const Scaled& value, const std::set<std::string>& names) {
+    const std::optional<Expression> expression = written(graph, value);
+    return !expression || mentions(*expression, names);
 }
 
 /// Returns the number of sizes that stand before parameters in a module's numbers.
@@ -152,6 +148,12 @@ bool RowPlan::differs(const Expression& expression) const {
     return mentions(expression, different_);
 }
 
+/// Whether rows have values of a start of their own.
+bool RowPlan::is_given(const StartValue& start) const {
+    return std::any_of(names_.begin(), names_.end(),
+                       [&](const VariedName& name) { return name.name == start.variable; });
+}
+
 /// Finds what differs from row to row besides the values themselves.
 void RowPlan::find_differences() {
     for (std::size_t k = 0; k < names_.size(); ++k) {
@@ -169,10 +171,8 @@ void RowPlan::find_differences() {
         are_numbers_computed_ = true;
     }
     for (const StartValue& start : starts_) {
-        const std::set<std::string> inputs = inputs_of(system_.graph, start.value);
-        const bool depends =
-            std::any_of(inputs.begin(), inputs.end(),
-                        [&](const std::string& name) { return different_.contains(name); });
+        const bool depends = !is_given(start) && may_depend(system_.graph, start.value, different_);
+        is_start_computed_.push_back(depends);
         are_numbers_computed_ = are_numbers_computed_ || depends;
     }
     are_steps_computed_ =
@@ -225,7 +225,7 @@ RowPlan::Times RowPlan::times_of_row(const Scene& scene, std::span<const double>
     return times;
 }
 
-/// Computes parameters, and starting values that depend on them.
+/// Computes parameters, and starting values that depend on what differs.
 void RowPlan::compute_numbers(const Times& times, RowData& row) const {
     std::map<std::string, Expression> parameters;
     for (const Parameter& parameter : times.all.parameters)
@@ -237,10 +237,11 @@ void RowPlan::compute_numbers(const Times& times, RowData& row) const {
             if (found != parameters.end()) row.numbers[place] = value_of_number(found->second);
             ++place;
         }
-        for (const StartValue& start : starts_) {
-            const std::optional<double> number = start.number(system_.graph, parameters);
+        for (std::size_t k = 0; k < starts_.size(); ++k) {
+            if (!is_start_computed_[k]) continue;
+            const std::optional<double> number = starts_[k].number(system_.graph, parameters);
             if (!number) row.fault = RowStatus::no_number;
-            row.numbers[place++] = number.value_or(0);
+            row.numbers[place + k] = number.value_or(0);
         }
     } catch (const MathError&) { row.fault = RowStatus::no_number; }
 }

@@ -68,6 +68,7 @@ private:
     [[nodiscard]] Use use_of(const VariedName& name) const;
     [[nodiscard]] std::vector<std::string> possible_names() const;
     void find_differences();
+    [[nodiscard]] bool is_given(const StartValue& start) const;
     [[nodiscard]] bool differs(const Expression& expression) const;
 
     [[nodiscard]] Scene scene_of(std::span<const double> values) const;
@@ -82,7 +83,8 @@ private:
     std::vector<VariedName> names_;
     std::vector<Use> uses_;
     NamedExpression step_, until_;
-    std::set<std::string> different_;  ///< parameters that differ from row to row
+    std::set<std::string> different_;      ///< parameters that differ from row to row
+    std::vector<bool> is_start_computed_;  ///< for each row, as it depends on what differs
     bool are_numbers_computed_ = false, are_steps_computed_ = false, are_events_computed_ = false;
     RowData usual_;  ///< data of a row without values
 };

@@ -37,7 +37,7 @@ std::string slurm_script(const Study& study, const std::vector<std::string>& wor
 
 # {rows} rows in {chunks} chunks. Submitted again, this file goes on with the study. Each task starts as
 # many workers as it has cores; cores and time are yours to choose.
-trap 'kill -USR1 "$hvi"; wait "$hvi"; exit' USR1 TERM
+trap 'kill -USR1 "$hvi"; wait "$hvi"; exit $?' USR1 TERM
 {command} --workers "${{SLURM_CPUS_PER_TASK:-1}}" &
 hvi=$!
 wait "$hvi"

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <sstream>
 #include <system_error>
 
@@ -61,7 +62,6 @@ Value value_of(const TomlFile& file, const char* name) {
 }  // namespace
 
 fs::path Study::file(std::int64_t chunk, const char* ending) const {
-    constexpr std::int64_t in_directory = 1000;
     return directory / "chunks" / fmt::format("{:03}", chunk / in_directory) /
            fmt::format("{:06}.{}", chunk, ending);
 }
@@ -108,6 +108,22 @@ TableHead head_of(const Study& study) {
 bool is_done(const Study& study, std::int64_t chunk) {
     std::error_code ignored;
     return fs::exists(study.file(chunk, "npy"), ignored);
+}
+
+std::vector<bool> done_in(const Study& study, std::int64_t directory) {
+    const std::int64_t first = directory * Study::in_directory;
+    std::vector<bool> done(Study::in_directory);
+    std::error_code error;
+    fs::directory_iterator files(study.file(first, "npy").parent_path(), error);
+    for (; !error && files != fs::directory_iterator(); files.increment(error)) {
+        if (files->path().extension() != ".npy") continue;
+        const std::string name = files->path().stem();
+        std::int64_t chunk = -1;
+        std::from_chars(name.data(), name.data() + name.size(), chunk);
+        if (chunk >= first && chunk - first < Study::in_directory)
+            done[static_cast<std::size_t>(chunk - first)] = true;
+    }
+    return done;
 }
 
 void write_rows(const Study& study, const fs::path& file,

@@ -10,8 +10,12 @@ namespace hvi::gen {
 
 std::vector<std::int64_t> missing_chunks(const Study& study) {
     std::vector<std::int64_t> missing;
-    for (std::int64_t chunk = 0; chunk < study.chunks(); ++chunk)
-        if (!is_done(study, chunk)) missing.push_back(chunk);
+    std::vector<bool> done;
+    for (std::int64_t chunk = 0; chunk < study.chunks(); ++chunk) {
+        const std::int64_t place = chunk % Study::in_directory;
+        if (place == 0) done = done_in(study, chunk / Study::in_directory);
+        if (!done[static_cast<std::size_t>(place)]) missing.push_back(chunk);
+    }
     return missing;
 }
 

@@ -226,6 +226,24 @@ TEST_CASE("what others have is left to them, and what they have lost is not") {
     CHECK(table_of(studies.collected()).rows.size() == 6);
 }
 
+TEST_CASE("chunks of others are passed without a change of their directories") {
+    const Studies studies;
+    const std::string words = "--vary y=0:0.1:3000 --chunk 1 --until 1 --workers 1";
+    const Outcome outcome = studies(
+        "mkdir -p study/chunks/000 study/chunks/001 study/chunks/002\n"
+        "for k in $(seq 1000 1999) $(seq 2000 2999); do\n"
+        "  echo 'elsewhere 1 1' > study/chunks/00${k:0:1}/00$k.lock\n"
+        "done\n"
+        "touch -d '1 hour ago' study/chunks/001 study/chunks/002; touch -d '1 minute ago' then\n"
+        "eval \"$study " +
+        words + "\"; find study/chunks/001 study/chunks/002 -maxdepth 0 -newer then");
+    INFO(outcome.err);
+    CHECK(outcome.status == 0);
+    CHECK(outcome.err.find("note: other workers compute 2000 of 3000 chunks") != std::string::npos);
+    // One of them may have had the file by which the clock of the file system is asked.
+    CHECK(lines_of(outcome.out).size() <= 1);
+}
+
 TEST_CASE("another study in a directory is refused, and nothing is lost") {
     const Studies studies;
     REQUIRE(studies("eval \"$study --vary y=0:0.1:6 --until 10\"").status == 0);

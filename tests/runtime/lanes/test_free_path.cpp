@@ -174,7 +174,8 @@ TEST_CASE("trajectories side by side do the same") {
     using Stages = hvi::detail::VelocityTrajectories<Two, stages>;
     typename Stages::State x(hvi::State<Two>{{0.4, 0.9}, momenta});
     Stages s;
-    REQUIRE(s.begin(x, h, b));
+    for (std::size_t lane = 0; lane < hvi::trajectories_at_once; ++lane) { s.resize(lane, h, b); }
+    REQUIRE(s.begin(x));
     s.drift_freely(system, c);
     const typename Stages::Mask all(true);
     s.forces(system, all, [&](std::size_t j, auto& out) {
