@@ -34,7 +34,7 @@ private:
     std::optional<std::string> before_;
 };
 
-const std::string stars =
+const std::string stars_on_cards =
     "hamiltonian = \"(px^2 + py^2)/2 + (x^2 + y^2)/2 + k*(x^2*y - y^3/3)\"\n"
     "coordinates = [\"x\", \"y\"]\nmomenta = [\"px\", \"py\"]\nparameters = {k = 1}\n"
     "initial = {x = 0, y = \"1/10\", px = \"2/5\", py = 0}\n"
@@ -47,8 +47,9 @@ TEST_CASE("rows of a GPU are those of a processor, up to rounding") {
     const std::string words =
         "--vary k=1/2:1:7 --vary until=5:20:3 --vary step=1/10:1/5:2 --columns energy";
     for (const std::string method : {"stormer-verlet", "gauss:2"}) {
-        const TextTable device = study_of(stars, words + " --cuda --method " + method),
-                        alone = study_of(stars, words + " --lanes none --method " + method);
+        const TextTable device = study_of(stars_on_cards, words + " --cuda --method " + method),
+                        alone =
+                            study_of(stars_on_cards, words + " --lanes none --method " + method);
         REQUIRE(device.names == alone.names);
         REQUIRE(device.rows.size() == alone.rows.size());
         for (std::size_t row = 0; row < alone.rows.size(); ++row) {
@@ -66,8 +67,8 @@ TEST_CASE("rows of a GPU are those of a processor, up to rounding") {
 TEST_CASE("rows of a GPU do not depend on chunks and workers, and fail one by one") {
     const NamedNvcc nvcc(HVI_PRETENDED_NVCC);
     const std::string words = "--vary y=1/10:601/10:13 --cuda";
-    const TextTable rows = study_of(stars, words),
-                    parted = study_of(stars, words + " --chunk 2 --workers 2");
+    const TextTable rows = study_of(stars_on_cards, words),
+                    parted = study_of(stars_on_cards, words + " --chunk 2 --workers 2");
     CHECK(rows.rows == parted.rows);
     for (std::size_t row = 0; row < 13; ++row) {
         CAPTURE(row);
@@ -86,17 +87,17 @@ TEST_CASE("what no GPU takes is refused, and so is a machine without a compiler 
         CHECK(outcome.status == status);
         CHECK(outcome.err.find(message) != std::string::npos);
     };
-    check(stars + "[events.up]\nzero = \"y\"\n", "--vary k=0:1:2", 2,
+    check(stars_on_cards + "[events.up]\nzero = \"y\"\n", "--vary k=0:1:2", 2,
           "--cuda is not built for events");
-    check(stars + "[time]\nscale = \"1/(1 + x^2)\"\n", "--vary k=0:1:2 --method gauss:2", 2,
-          "--cuda");
-    check(stars, "--vary k=0:1:2 --method gauss:2 --solver newton", 2, "--lanes gpu");
+    check(stars_on_cards + "[time]\nscale = \"1/(1 + x^2)\"\n", "--vary k=0:1:2 --method gauss:2",
+          2, "--cuda");
+    check(stars_on_cards, "--vary k=0:1:2 --method gauss:2 --solver newton", 2, "--lanes gpu");
     check("hamiltonian = \"sum(i=1..9, p[i]^2/2) + sum(i=1..8, k*(q[i+1] - q[i])^2/2)\"\n"
           "coordinates = [\"q[1..9]\"]\nmomenta = [\"p[1..9]\"]\nparameters = {k = 1}\n"
           "initial = {\"q[i]\" = \"i\", \"p[i]\" = 0}\n"
           "run = {method = \"stormer-verlet\", step = \"1/10\", until = 5}\n",
           "--vary k=1:2:2 --unroll no", 2, "--cuda is not built where sums stay loops");
     const NamedNvcc nvcc("/there/is/no/nvcc");
-    check(stars, "--vary k=0:1:2", 3,
+    check(stars_on_cards, "--vary k=0:1:2", 3,
           "there is no compiler of CUDA: `/there/is/no/nvcc --version` fails");
 }

@@ -10,14 +10,14 @@ using namespace hvi::test;
 
 namespace {
 
-/// A star whose rows take some 20 ms each, in eight chunks.
+/// A star whose rows take some 20 ms each.
 const std::string star_of_tasks =
     "hamiltonian = \"(px^2 + py^2)/2 + (x^2 + y^2)/2 + x^2*y - y^3/3\"\n"
     "coordinates = [\"x\", \"y\"]\nmomenta = [\"px\", \"py\"]\n"
     "initial = {x = 0, y = \"1/10\", px = \"1/2\", py = 0}\n"
     "run = {method = \"gauss:4\", step = \"1/4\", until = 8000}\n";
 
-const std::string rows_of_tasks = "--random 'y=normal(0, 1/10)' --samples 200 --chunk 25";
+const std::string rows_of_tasks = "--random 'y=normal(0, 1/10)' --samples 400 --chunk 20";
 
 /// Starts the daemons of Slurm in a directory, without privileges, and ends them with the shell.
 /// The status is 77 where the node does not come up. NOTE: an interface of the machine is not
@@ -53,8 +53,10 @@ slurmctld -D > slurm/daemons.log 2>&1 & controller=$!
 slurmd -D >> slurm/daemons.log 2>&1 & node=$!
 queue_ends() { for k in $(seq 300); do [ -z "$(squeue -h)" ] && return; sleep 0.1; done; return 1; }
 trap 'scancel --partition=all; queue_ends; kill $node $controller; wait $node $controller' EXIT
-for k in $(seq 300); do [ "$(sinfo -h -o %T)" = idle ] && break; sleep 0.1; done
-[ "$(sinfo -h -o %T)" = idle ] || { cat slurm/daemons.log >&2; exit 77; }
+until [ "$(sinfo -h -o %T)" = idle ]; do
+    [ $SECONDS -lt 60 ] && kill -0 $node $controller || { cat slurm/daemons.log >&2; exit 77; }
+    sleep 0.1
+done
 submit() { timeout 120 sbatch --time=5 --output=slurm/said-%a.txt "$@" job.sh; }
 )sh";
 
@@ -89,17 +91,17 @@ TEST_CASE("rows have the same bits under Slurm, and tasks that are told to end a
         "done\n"
         "scancel --batch --signal=USR1 $job; queue_ends\n"
         "scontrol show job $job | grep -o 'ExitCode=[0-9:]*'\n"
-        "ls study/chunks/000 | sed 's/.*[.]//' | sort | uniq -c | tr -s ' '\n"
+        "ls study/chunks/000 | sed 's/.*[.]//' | sort -u | grep -v npy\n"
         "submit --wait >&2; " +
         sums + " > again; cmp alone again\n";
     const Outcome outcome =
         study_in(directory, with_slurm + "set -e\n" + all_to_the_end + told_to_end);
     if (outcome.status == 77) {
-        WARN("Slurm does not run here: its tasks are not tested");
+        WARN("Slurm does not run here, and its tasks are not tested: " << outcome.err);
         return;
     }
     INFO(outcome.err);
     CHECK(outcome.status == 0);
     CHECK(outcome.out == "ExitCode=130:0\nExitCode=130:0\nExitCode=130:0\nExitCode=130:0\n"
-                         " 4 part\n");
+                         "part\n");
 }
