@@ -404,6 +404,7 @@ Request request(const CLI::App& parsed, const CommandLine& line) {
     case Command::module: return module_options(words, line);
     case Command::ensemble: return ensemble_options(words, line);
     case Command::collect: return collect_options(words, line);
+    case Command::solve: break;  // to come
     }
     HVI_CHECK(false);
     return Information{};

@@ -27,6 +27,8 @@ constexpr std::array commands = {
     CommandEntry{symmetries, "symmetries", "SCENE", "Affine symmetries and their momentum maps"},
     CommandEntry{ensemble, "ensemble", "SCENE [METHOD]", "Run many trajectories: a study"},
     CommandEntry{collect, "collect", "DIR", "Make one table of the rows of a study"},
+    CommandEntry{solve, "solve", "SCENE [METHOD]", "Solve a boundary value problem",
+                 State::to_come},
     CommandEntry{module, "module", "[METHOD] SCENE", "Write a stepper for C, and what calls C"},
     CommandEntry{show, "show", "SCENE", "Print the TOML of a scene"},
     CommandEntry{list, "list", "[TOPIC]", "Print what can be named"},

@@ -29,6 +29,7 @@ enum class Command {
     symmetries,
     ensemble,
     collect,
+    solve,
     module,
     show,
     list,

@@ -60,7 +60,7 @@
 
 namespace hvi::generated {
 
-static_assert(hvi::supports_format(14),
+static_assert(hvi::supports_format(15),
               "this header is for another version of hvi: write it again with hvi-gen");
 
 /// The scene nonseparable with a method of its own basis and nodes, computed in Number: float,

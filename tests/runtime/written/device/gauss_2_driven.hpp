@@ -51,7 +51,7 @@
 
 namespace hvi::generated {
 
-static_assert(hvi::supports_format(14),
+static_assert(hvi::supports_format(15),
               "this header is for another version of hvi: write it again with hvi-gen");
 
 /// The scene driven with gauss:2, computed in Number: float or double.

@@ -58,7 +58,7 @@
 
 namespace hvi::generated {
 
-static_assert(hvi::supports_format(14),
+static_assert(hvi::supports_format(15),
               "this header is for another version of hvi: write it again with hvi-gen");
 
 /// The scene heavy-top with gauss:2, computed in Number: float, double, long double, or

@@ -61,7 +61,7 @@
 
 namespace hvi::generated {
 
-static_assert(hvi::supports_format(14),
+static_assert(hvi::supports_format(15),
               "this header is for another version of hvi: write it again with hvi-gen");
 
 /// `System` names its `Vector`, std::array<double, n> or one of Eigen, also of float, long double

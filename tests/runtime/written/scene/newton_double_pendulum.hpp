@@ -81,7 +81,7 @@
 
 namespace hvi::generated {
 
-static_assert(hvi::supports_format(14),
+static_assert(hvi::supports_format(15),
               "this header is for another version of hvi: write it again with hvi-gen");
 
 /// The scene double-pendulum with gauss:4, computed in Number: float, double or long double. States
