@@ -93,7 +93,7 @@ std::string key_of(const EnsembleOptions& options, const EnsembleWork& work,
                    const std::vector<std::string>& columns, const RowSource& source) {
     std::string text = fmt::format("{}\n{}\n{}\n", version, work.stepper.header, source.key());
     for (const OwnHeader& own : work.stepper.own_headers) text += own.text + "\n";
-    if (work.at_once) text += work.at_once->header;
+    if (work.at_once) text += work.at_once->stepper.header;
     text += options.interpret ? "interpreted\n" : "compiled\n";
     text += fmt::format("{}\n{}\n", work.scene.text, work.scene.origin);
     for (const Given& given : {options.step, options.until})

@@ -42,16 +42,24 @@ Families Targets::families() const {
 }
 
 std::vector<std::vector<double>> StudyRows::from(std::int64_t first, std::int64_t count) {
-    const std::vector<Asked> rows = asked(first, count);
-    const Ends ends = families_.at_once != nullptr ? ends_at_once(rows) : Ends{end_of(rows[0])};
-    std::vector<std::vector<double>> result;
-    for (std::size_t i = 0; i < rows.size() && ends[i]; ++i) {
-        std::vector<double> row{static_cast<double>(first + static_cast<std::int64_t>(i))};
-        row.insert(row.end(), rows[i].values.begin(), rows[i].values.end());
-        add(*ends[i], row);
-        result.push_back(std::move(row));
+    std::vector<std::vector<double>> rows;
+    const auto add_row = [&](const std::vector<double>& values, const std::optional<RowEnd>& end) {
+        if (!end) return false;
+        rows.push_back({static_cast<double>(first + static_cast<std::int64_t>(rows.size()))});
+        rows.back().insert(rows.back().end(), values.begin(), values.end());
+        add(*end, rows.back());
+        return true;
+    };
+    if (families_.at_once == nullptr) {
+        const std::vector<double> values = source_.at(first);
+        add_row(values, end_alone(values));
+        return rows;
     }
-    return result;
+    const std::vector<Asked> all = asked(first, count);
+    const Ends ends = ends_at_once(all);
+    for (std::size_t i = 0; i < all.size(); ++i)
+        if (!add_row(all[i].values, ends[i])) break;
+    return rows;
 }
 
 /// Returns rows that are taken together: as many as take a moment, so that progress is seen. A GPU
@@ -63,12 +71,11 @@ std::vector<StudyRows::Asked> StudyRows::asked(std::int64_t first, std::int64_t 
     std::int64_t steps = 0;
     const auto is_enough = [&] {
         const auto size = static_cast<std::int64_t>(rows.size());
-        if (families_.at_once == nullptr) return size == 1;
         return size == most || (!work_.are_on_device() && size >= fewest && steps > most_steps);
     };
     for (std::int64_t number = first; number < first + count && !is_enough(); ++number) {
         std::vector<double> values = source_.at(number);
-        RowData data = work_.plan.at(values);
+        RowData data = work_.at_once->plan.at(values);
         steps += std::min(data.steps, most_steps);
         rows.push_back({std::move(values), std::move(data)});
     }
@@ -88,15 +95,14 @@ StudyRows::Ends StudyRows::ends_at_once(const std::vector<Asked>& rows) const {
     auto next = taken.begin();
     for (const Asked& row : rows) {
         const bool is_taken = row.data.fault == RowStatus::ok;
-        ends.push_back(is_taken ? std::move(*next++) : end_of(row));
-        if (is_taken && ends.back() && ends.back()->status == stiff) ends.back() = end_of(row);
+        ends.push_back(is_taken ? std::move(*next++) : none(row.data.fault));
+        if (ends.back() && ends.back()->status == stiff) ends.back() = end_alone(row.values);
     }
     return ends;
 }
 
-/// Returns the end of a row that is taken alone; that of one which takes no steps has no numbers.
-std::optional<RowEnd> StudyRows::end_of(const Asked& row) const {
-    const RowData& data = row.data;
+std::optional<RowEnd> StudyRows::end_alone(const std::vector<double>& values) const {
+    const RowData data = work_.plan.at(values);
     if (data.fault != RowStatus::ok) return none(data.fault);
     RowStart start{.make = families_.steppers(data.numbers),
                    .h = data.h,
@@ -104,10 +110,11 @@ std::optional<RowEnd> StudyRows::end_of(const Asked& row) const {
                    .clock = data.clock,
                    .events = data.events};
     if (work_.directions)
-        start.make_directions = families_.directions(work_.directions->plan.at(row.values).numbers);
+        start.make_directions = families_.directions(work_.directions->plan.at(values).numbers);
     return take_row(work_.wishes, start);
 }
 
+/// Returns the end of a row that takes no steps, and has no numbers.
 RowEnd StudyRows::none(RowStatus fault) const {
     constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
     return {.status = static_cast<std::size_t>(fault),

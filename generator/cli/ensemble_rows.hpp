@@ -16,8 +16,8 @@
 
 namespace hvi::gen {
 
-/// Directions that rows carry along.
-struct CarriedDirections {
+/// A stepper, and the numbers that rows have for it.
+struct PlannedStepper {
     SceneStepper stepper;
     RowPlan plan;
 };
@@ -29,12 +29,12 @@ struct EnsembleWork {
     RowPlan plan;
     RowWishes wishes = {};           ///< its columns are the state, then those that are asked for
     std::size_t count_of_state = 0;  ///< columns of the state
-    std::optional<CarriedDirections> directions = {};
+    std::optional<PlannedStepper> directions = {};  ///< that rows alone carry along
     /// Steppers of many rows at once. A row whose iterations do not converge there is taken alone.
-    std::optional<SceneStepper> at_once = {};
+    std::optional<PlannedStepper> at_once = {};
 
     [[nodiscard]] bool are_on_device() const {
-        return at_once && at_once->step.layout == Layout::threads;
+        return at_once && at_once->stepper.step.layout == Layout::threads;
     }
     /// Returns the names of the events that are counted.
     [[nodiscard]] std::vector<std::string> events() const;
@@ -76,7 +76,7 @@ public:
     [[nodiscard]] std::vector<std::vector<double>> from(std::int64_t first, std::int64_t count);
 
 private:
-    /// A row before it begins.
+    /// A row before it begins, with its data for the steppers of many.
     struct Asked {
         std::vector<double> values;
         RowData data;
@@ -84,7 +84,7 @@ private:
     using Ends = std::vector<std::optional<RowEnd>>;
 
     [[nodiscard]] std::vector<Asked> asked(std::int64_t first, std::int64_t count);
-    [[nodiscard]] std::optional<RowEnd> end_of(const Asked& row) const;
+    [[nodiscard]] std::optional<RowEnd> end_alone(const std::vector<double>& values) const;
     [[nodiscard]] Ends ends_at_once(const std::vector<Asked>& rows) const;
     [[nodiscard]] RowEnd none(RowStatus fault) const;
     void add(const RowEnd& end, std::vector<double>& row) const;

@@ -59,9 +59,12 @@ std::optional<SceneStepper> stepper_at_once(const EnsembleOptions& options,
     if (options.cuda) return stepper_on_device(both, alone, wishes, *options.cuda);
     const Scene& scene = both.scene;
     const bool are_alone = options.wishes.lanes.choice == Lanes::none || options.interpret ||
-                           options.megno || options.reduce || !scene.events.empty() || scene.kinks;
+                           options.reduce || !scene.events.empty() || scene.kinks;
     if (are_alone) return {};
-    return stepper_side_by_side(alone, both.method, scene, wishes);
+    if (!options.megno) return stepper_side_by_side(alone, both.method, scene, wishes);
+    // NOTE: with a direction, eight have no invariants.
+    if (options.columns) return {};
+    return tangent_stepper_side_by_side(alone, both.method, scene, wishes);
 }
 
 }  // namespace
@@ -76,11 +79,13 @@ EnsembleWork work_of(const EnsembleOptions& options, const MethodAndScene& both,
     EnsembleWork work{both.scene, std::move(stepper), std::move(plan)};
     work.wishes.looks_at_end = work.stepper.step.container == Container::vectors;
     work.wishes.growth = options.megno;
-    work.at_once = stepper_at_once(options, both, work.stepper, wishes);
-    if (!options.megno) return work;
-    SceneStepper directions = directions_of(both, work.stepper, wishes);
-    RowPlan of_them(both.scene, directions, source.names(), step, until);
-    work.directions.emplace(CarriedDirections{std::move(directions), std::move(of_them)});
+    const auto planned = [&](SceneStepper of_rows) {
+        RowPlan its(both.scene, of_rows, source.names(), step, until);
+        return PlannedStepper{std::move(of_rows), std::move(its)};
+    };
+    if (auto at_once = stepper_at_once(options, both, work.stepper, wishes))
+        work.at_once.emplace(planned(std::move(*at_once)));
+    if (options.megno) work.directions.emplace(planned(directions_of(both, work.stepper, wishes)));
     return work;
 }
 

@@ -122,10 +122,10 @@ void heed_warning() {
 Targets targets_of(const EnsembleWork& work, Runner& runner) {
     runner.begin(work.stepper);
     if (work.directions) runner.begin(work.directions->stepper);
-    if (work.at_once) runner.begin(*work.at_once);
+    if (work.at_once) runner.begin(work.at_once->stepper);
     Targets targets{runner.target(work.stepper)};
     if (work.directions) targets.directions = runner.target(work.directions->stepper);
-    if (work.at_once) targets.at_once = runner.library(*work.at_once);
+    if (work.at_once) targets.at_once = runner.library(work.at_once->stepper);
     return targets;
 }
 

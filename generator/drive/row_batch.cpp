@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "generator/drive/checkpoint_saver.hpp"
 #include "generator/drive/rows_module.hpp"
+#include "generator/drive/tangents.hpp"
 
 namespace hvi::gen {
 
@@ -21,6 +23,7 @@ public:
           states(count * state_),
           conserved(count * conserved_),
           energy_errors(count),
+          growths(2 * count),
           taken(count),
           statuses(count) {}
 
@@ -31,7 +34,9 @@ public:
                    .steps = taken[row],
                    .t = static_cast<double>(taken[row]) * h,
                    .energy_error = energy_errors[row]};
-        for (const std::size_t number : wishes.columns) end.columns.push_back(value(row, number));
+        for (const std::size_t number : wishes.columns)
+            end.columns.push_back(value(row, number, wishes.growth));
+        if (wishes.growth) add_growth(row, h, end);
         return end;
     }
 
@@ -46,15 +51,27 @@ private:
         return static_cast<std::size_t>(statuses[row]);
     }
 
-    [[nodiscard]] double value(std::size_t row, std::size_t number) const {
-        return number < variables_ ? states[row * state_ + number]
-                                   : conserved[row * conserved_ + number - variables_];
+    /// Returns a value by its column number. NOTE: with a direction, q is the first half of the
+    /// coordinates, and p the second one of the momenta.
+    [[nodiscard]] double value(std::size_t row, std::size_t number, bool has_direction) const {
+        const std::size_t columns = has_direction ? variables_ / 2 : variables_;
+        if (number >= columns) return conserved[row * conserved_ + number - columns];
+        const bool is_momentum = has_direction && number >= columns / 2;
+        return states[row * state_ + number + (is_momentum ? columns : 0)];
+    }
+
+    void add_growth(std::size_t row, double h, RowEnd& end) const {
+        constexpr double none = std::numeric_limits<double>::quiet_NaN();
+        const bool is_there = end.status == 0 && end.steps > 0;
+        const double time = std::abs(h * static_cast<double>(end.steps));
+        end.lyapunov = is_there ? growths[2 * row] / time : none;
+        end.megno = is_there ? growths[2 * row + 1] : none;
     }
 
     std::size_t variables_, state_, conserved_;
 
 public:
-    std::vector<double> states, conserved, energy_errors;
+    std::vector<double> states, conserved, energy_errors, growths;
     std::vector<std::int64_t> taken;
     std::vector<int> statuses;
 };
@@ -75,6 +92,8 @@ std::vector<std::optional<RowEnd>> take_batch(const RowWishes& wishes,
     const std::size_t variables = call.sizes.coordinates + call.sizes.momenta;
     const bool looks = std::any_of(wishes.columns.begin(), wishes.columns.end(),
                                    [&](std::size_t number) { return number >= variables; });
+    const std::vector<double> direction =
+        wishes.growth ? growing_direction(variables / 2) : std::vector<double>();
     const detail::EnsembleRows rows{.count = count,
                                     .parameters = batch.numbers.data(),
                                     .h = batch.h.data(),
@@ -84,6 +103,8 @@ std::vector<std::optional<RowEnd>> take_batch(const RowWishes& wishes,
                                     .statuses = ends.statuses.data(),
                                     .energy_errors = ends.energy_errors.data(),
                                     .conserved = looks ? ends.conserved.data() : nullptr,
+                                    .direction = wishes.growth ? direction.data() : nullptr,
+                                    .growths = wishes.growth ? ends.growths.data() : nullptr,
                                     .is_stopped = is_stopped};
     if (count > 0) take_rows(call, directory, batch.numbers.size() / count, rows);
     std::vector<std::optional<RowEnd>> result;

@@ -26,7 +26,7 @@ struct RowBatch {
 
 /// Takes their steps by the functions of a module; `directory` has the files of the scene. Returns
 /// nothing for those that SIGTERM has cut off. Throws as take_rows() does. Precondition: nothing is
-/// wished for but columns.
+/// wished for but columns and, where the module carries a direction along, growth.
 [[nodiscard]] std::vector<std::optional<RowEnd>> take_batch(const RowWishes& wishes,
                                                             const detail::RowFunctions& call,
                                                             const std::string& directory,

@@ -143,9 +143,9 @@ bool tell_spectrum(const TangentWishes& wishes, ProgressOfSteps progress) {
 /// Reports the smaller of |v + w| and |v - w| for two directions of norm 1 (Ch. Skokos, J. Phys. A
 /// 34, 2001, 10029-10043).
 bool tell_sali(const TangentWishes& wishes, ProgressOfSteps progress) {
-    constexpr double golden = 0.6180339887498949, silver = 0.4142135623730951;
+    constexpr double silver = 0.4142135623730951;
     const std::size_t numbers = numbers_of(wishes);
-    std::vector<DirectionVector> start{usual_direction(numbers, golden),
+    std::vector<DirectionVector> start{growing_direction(numbers),
                                        usual_direction(numbers, silver)};
     for (std::size_t k = 0; k < numbers; k += 2) start[1][k] = -start[1][k];
     Directions directions(start, wishes.motion);
@@ -244,10 +244,14 @@ bool tell_own(const TangentWishes& wishes, ProgressOfSteps progress) {
 
 }  // namespace
 
+DirectionVector growing_direction(std::size_t numbers) {
+    constexpr double golden = 0.6180339887498949;
+    return usual_direction(numbers, golden);
+}
+
 LargestGrowth largest_growth(const TangentWishes& wishes,
                              const std::function<void(std::int64_t)>& see) {
-    constexpr double golden = 0.6180339887498949;
-    Directions directions({usual_direction(numbers_of(wishes), golden)}, wishes.motion);
+    Directions directions({growing_direction(numbers_of(wishes))}, wishes.motion);
     Growth growth(directions);
     double time = 0;
     const Status status = moved(directions, wishes, [&](std::int64_t step) {

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <vector>
 
 #include "generator/drive/event_crossing.hpp"
 
@@ -33,7 +34,10 @@ struct LargestGrowth {
     double lyapunov = 0, megno = 0;
 };
 
-/// Measures it over the steps of DrivenProblem, and calls see(taken) after each.
+/// Returns that direction, of norm 1. No component is small, so that it contains each mode.
+[[nodiscard]] std::vector<double> growing_direction(std::size_t numbers);
+
+/// Measures the growth over the steps of DrivenProblem, and calls see(taken) after each.
 [[nodiscard]] LargestGrowth largest_growth(const TangentWishes& wishes,
                                            const std::function<void(std::int64_t)>& see);
 

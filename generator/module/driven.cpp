@@ -93,7 +93,10 @@ struct ModuleKind {
 
 ModuleKind kind_of(const SceneStepper& stepper) {
     if (stepper.step.layout == Layout::trajectories) {
-        return {"", "hvi/detail/module/rows_in_lanes.hpp", "RowsInLanes", "RowFunctions hvi_rows",
+        const bool grows = stepper.has_direction;
+        return {"",
+                grows ? "hvi/detail/module/lane_growth.hpp" : "hvi/detail/module/rows_in_lanes.hpp",
+                grows ? "GrowingRowsInLanes" : "RowsInLanes", "RowFunctions hvi_rows",
                 stepper.class_name};
     }
     ModuleKind kind{"", "hvi/detail/module/driven.hpp", "Driven", "DrivenFunctions hvi_scene",

@@ -93,7 +93,9 @@ void check_motion(const Scene& scene, std::string_view what) {
 SceneStepper tangent_stepper(const Method& method, const Scene& scene, const StepperWishes& wishes,
                              std::string_view what) {
     check_motion(scene, what);
-    return stepper_after(with_tangent, method, scene, wishes);
+    SceneStepper result = stepper_after(with_tangent, method, scene, wishes);
+    result.has_direction = true;
+    return result;
 }
 
 SceneStepper sensitivity_stepper(const Method& method, const Scene& scene,

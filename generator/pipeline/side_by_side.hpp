@@ -16,4 +16,11 @@ namespace hvi::gen {
                                                                const Scene& scene,
                                                                StepperWishes wishes);
 
+/// Returns one whose trajectories carry a direction along: see tangent_stepper(). Of what is
+/// conserved it has the energy alone. Throws as that does.
+[[nodiscard]] std::optional<SceneStepper> tangent_stepper_side_by_side(const SceneStepper& alone,
+                                                                       const Method& method,
+                                                                       const Scene& scene,
+                                                                       StepperWishes wishes);
+
 }  // namespace hvi::gen

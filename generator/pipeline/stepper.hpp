@@ -51,7 +51,8 @@ struct SceneStepper {
     std::string header;
     std::vector<OwnHeader> own_headers;  ///< headers that it needs
     UnrollDecision unrolling = {};
-    SceneWishes members = {};  ///< members of its class
+    SceneWishes members = {};    ///< members of its class
+    bool has_direction = false;  ///< whether its states are those of with_tangent()
 };
 
 /// Returns a stepper of the scene, which quotes the command line `hvi-gen stepper ...` that writes

@@ -25,7 +25,7 @@ const std::string pushed = "hamiltonian = \"p^2/2 - cos(q) - F*q*cos(2*t/3)\"\n"
 
 /// Checks that rows are those that were taken alone, up to rounding.
 void check_beside_alone(const std::string& scene, const std::string& words,
-                        const std::vector<std::string>& columns) {
+                        const std::vector<std::string>& columns, double apart = 1e-12) {
     const TextTable together = study_of(scene, words),
                     alone = study_of(scene, words + " --lanes none");
     REQUIRE(together.names == alone.names);
@@ -36,7 +36,7 @@ void check_beside_alone(const std::string& scene, const std::string& words,
             CHECK(together.at(row, word) == alone.at(row, word));
         for (const std::string& column : columns) {
             CAPTURE(column);
-            CHECK(std::abs(together.number(row, column) - alone.number(row, column)) < 1e-12);
+            CHECK(std::abs(together.number(row, column) - alone.number(row, column)) < apart);
         }
     }
 }
@@ -95,5 +95,38 @@ TEST_CASE("rows side by side fail one by one") {
         const bool is_bound = row == 0;  // the others are above the saddle, and leave for ever
         CHECK(rows.at(row, "status") == (is_bound ? "ok" : "not_finite"));
         CHECK((rows.number(row, "steps") == 200) == is_bound);
+    }
+}
+
+TEST_CASE("MEGNO of rows side by side is that of rows taken alone") {
+    const std::string words =
+        "--vary px=1/10:3/10:5 --vary step=1/10:1/5:2 --vary until=50:100:2 --megno";
+    const std::vector<std::string> columns{"x",        "y",    "px", "py", "energy_error",
+                                           "lyapunov", "megno"};
+    for (const std::string method :
+         {"stormer-verlet", "gauss:2", "stormer-verlet --compose kahan-li:8"})
+        check_beside_alone(stars, words + " --method " + method, columns, 1e-10);
+    check_beside_alone(pushed, "--vary F=0:1/10:5 --method stormer-verlet --megno",
+                       {"q", "p", "lyapunov", "megno"}, 1e-10);
+}
+
+TEST_CASE("a direction that grows for ever is scaled on its way") {
+    // The step of Stormer and Verlet for H = p^2/2 - w^2 q^2/2 has the eigenvalues exp(m), exp(-m),
+    // with cosh(m) = 1 + (w h)^2/2. Over 1000 units of time directions grow by 2^1400 and more.
+    const std::string scene =
+        "hamiltonian = \"p^2/2 - w^2*q^2/2\"\n"
+        "coordinates = [\"q\"]\nmomenta = [\"p\"]\nparameters = {w = 1}\n"
+        "initial = {q = 0, p = 0}\n"
+        "run = {method = \"stormer-verlet\", step = \"1/10\", until = 1000}\n";
+    const TextTable rows = study_of(scene, "--vary w=1:2:11 --megno");
+    for (std::size_t row = 0; row < 11; ++row) {
+        CAPTURE(row);
+        const double w = rows.number(row, "w"), h = 0.1;
+        const double rate = std::acosh(1 + w * w * h * h / 2) / h;
+        CHECK(rows.at(row, "status") == "ok");
+        CHECK(std::abs(rows.number(row, "lyapunov") - rate) < 2.0 / 1000);
+        // ln |v| grows by h times the rate in a step, so that Y_n is rate t, and its mean half of
+        // it.
+        CHECK(std::abs(rows.number(row, "megno") / (rate * 500) - 1) < 0.01);
     }
 }

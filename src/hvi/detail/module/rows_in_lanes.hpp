@@ -45,9 +45,22 @@ private:
     typename Lane::Row start_{}, largest_{};
 };
 
+/// No direction.
+template <class Stepper>
+class NoGrowth {
+public:
+    static constexpr bool is_there = false;
+
+    template <class State>
+    void begin(std::size_t, const double*, const State&) {}
+    template <class State>
+    void see(const State&) {}
+};
+
 /// Functions of a module of rows. `Problem` is as in instance.hpp, and its Stepper advances eight
 /// trajectories, of which it has the energy, unless H depends on the time, and the invariants.
-template <class Problem>
+/// `Growth` measures a direction that they carry along; see lane_growth.hpp.
+template <class Problem, template <class> class Growth = NoGrowth>
 class RowsInLanes {
 public:
     [[nodiscard]] static constexpr RowFunctions functions() {
@@ -81,21 +94,27 @@ private:
             x.set(lane, Stepper::initial(parameters));
             stepper.set_parameters(lane, parameters);
             stepper.set_step(lane, static_cast<Scalar>(rows_.h[row]));
+            growth_.begin(lane, rows_.direction, x);
             if constexpr (!has_time) {
                 if (rows_.energy_errors != nullptr) { departures_.begin(lane, stepper, x); }
             }
             return rows_.steps[row];
         }
 
-        void see(const Stepper& stepper, const State& x) {
+        void see(const Stepper& stepper, State& x) {
             if constexpr (!has_time) {
                 if (rows_.energy_errors != nullptr) { departures_.see(stepper, x); }
             }
+            growth_.see(x);
         }
 
         void end(std::size_t lane, const State& x, std::int64_t steps) {
-            const double error = departures_.largest(lane);
-            write(who_[lane], x[lane], steps, x.status()[lane], error);
+            const std::size_t row = who_[lane];
+            write(row, x[lane], steps, x.status()[lane], departures_.largest(lane));
+            if constexpr (Growth<Stepper>::is_there) {
+                rows_.growths[2 * row] = growth_.logarithm(lane);
+                rows_.growths[2 * row + 1] = growth_.megno(lane);
+            }
         }
 
         [[nodiscard]] bool goes_on() const { return !rows_.is_stopped(); }
@@ -130,6 +149,7 @@ private:
         std::array<std::size_t, trajectories_at_once> who_{};
         std::size_t next_ = 0;
         LaneDepartures<Stepper> departures_;
+        Growth<Stepper> growth_;
     };
 
     /// Returns the parameters of a row. Throws std::invalid_argument unless they are those of the

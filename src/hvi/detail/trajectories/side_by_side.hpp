@@ -19,7 +19,7 @@ inline constexpr std::int64_t steps_at_once = 4096;
 ///
 /// `Source` has these members. begin(lane, x, stepper) puts a trajectory into a lane of x, gives
 /// the stepper its size of steps and its parameters, and returns how many steps it takes, or 0
-/// where there are no more. see(stepper, x) looks at a state after each step. end(lane, x, steps)
+/// where there are no more. see(stepper, x) looks at a state after each step, and may change it. end(lane, x, steps)
 /// takes a trajectory that has taken so many steps. goes_on() is false where the work is to end.
 template <class Stepper, class Source>
 class SideBySide {
