@@ -54,42 +54,57 @@ bool has_gap(const std::vector<double>& values) {
     return std::any_of(values.begin(), values.end(), [](double z) { return std::isnan(z); });
 }
 
-std::string labels(const MapPicture& picture) {
-    return fmt::format("set title {}\nset xlabel {}\nset ylabel {}\nset cblabel {}\n",
-                       gnuplot_label(picture.title), gnuplot_label(picture.x),
-                       gnuplot_label(picture.y),
-                       gnuplot_label(picture.z.empty() ? "points in a pixel, log10" : picture.z));
+/// Colours of values, with what is said of them.
+struct MapScale {
+    NumberRange range;
+    std::string label;
+};
+
+/// Returns the scale of values, of which the picture shows those in the range; others are its ends.
+MapScale scale_of(const MapPicture& picture, std::vector<double>& values) {
+    const NumberRange all = range_of(values), range = colour_range_of(values);
+    for (double& value : values)
+        if (std::isfinite(value)) value = std::clamp(value, range.from, range.to);
+    const bool has_more = all.from < range.from || range.to < all.to;
+    return {range, picture.z + (has_more ? ", with 1 % beyond each end" : "")};
 }
 
-std::string svg_of(const MapPicture& picture, const std::string& script) {
-    return gnuplot_svg(map_style + labels(picture) + script, map_width, map_height, ".");
+std::string svg_of(const MapPicture& picture, const std::string& label, const std::string& script) {
+    const std::string labels =
+        fmt::format("set title {}\nset xlabel {}\nset ylabel {}\nset cblabel {}\n",
+                    gnuplot_label(picture.title), gnuplot_label(picture.x),
+                    gnuplot_label(picture.y), gnuplot_label(label));
+    return gnuplot_svg(map_style + labels + script, map_width, map_height, ".");
 }
 
 // ---- images ----
 
 /// Draws values on a grid, all of them finite. NOTE: gnuplot loses the corners of an image that are
 /// NaN, and with them the image.
-std::string image(const MapPicture& picture, const FullGrid& grid, const FootedPalette& colours) {
+std::string image(const MapPicture& picture, const FullGrid& grid, const std::string& label,
+                  const FootedPalette& colours) {
     std::vector<double> numbers;
     for (std::size_t k = 0; k < grid.values.size(); ++k)
         numbers.insert(numbers.end(),
                        {grid.x[k % grid.x.size()], grid.y[k / grid.x.size()], grid.values[k]});
     const PlottedNumbers plotted(numbers);
     return svg_of(
-        picture, colours.commands() + "set autoscale fix\n" +
-                     fmt::format("plot {} binary record=({},{}) format='%3double' using 1:2:3 with "
-                                 "image{}\n",
-                                 plotted.quoted_path(), grid.x.size(), grid.y.size(),
-                                 grid.values.size() <= most_rectangles ? " pixels" : ""));
+        picture, label,
+        colours.commands() + "set autoscale fix\n" +
+            fmt::format("plot {} binary record=({},{}) format='%3double' using 1:2:3 with "
+                        "image{}\n",
+                        plotted.quoted_path(), grid.x.size(), grid.y.size(),
+                        grid.values.size() <= most_rectangles ? " pixels" : ""));
 }
 
 std::string image_of_grid(const MapPicture& picture, FullGrid grid) {
     std::vector<const char*> feet;
     if (has_gap(grid.values)) feet.push_back(grey);
-    const FootedPalette colours(viridis, feet, range_of(grid.values));
+    const MapScale scale = scale_of(picture, grid.values);
+    const FootedPalette colours(viridis, feet, scale.range);
     for (double& value : grid.values)
         if (std::isnan(value)) value = colours.foot(0);
-    return image(picture, grid, colours);
+    return image(picture, grid, scale.label, colours);
 }
 
 /// Returns the middles of pixels.
@@ -107,18 +122,21 @@ std::string image_of_many(const MapPicture& picture, const std::vector<MapPoint>
     const Pixels all = pixels(points, image_width, image_height);
     FullGrid grid{middles(all.x, image_width), middles(all.y, image_height), all.means};
     std::vector<const char*> feet{white, grey};
+    MapScale scale;
     if (picture.z.empty()) {
         feet.pop_back();
         for (std::size_t k = 0; k < grid.values.size(); ++k)
             grid.values[k] = std::log10(all.counts[k]);
+        scale = {range_of(grid.values), "points in a pixel, log10"};
+    } else {
+        scale = scale_of(picture, grid.values);
     }
-    const FootedPalette colours = picture.z.empty()
-                                      ? FootedPalette(shades, feet, range_of(grid.values))
-                                      : FootedPalette(viridis, feet, range_of(grid.values));
+    const FootedPalette colours = picture.z.empty() ? FootedPalette(shades, feet, scale.range)
+                                                    : FootedPalette(viridis, feet, scale.range);
     for (std::size_t k = 0; k < grid.values.size(); ++k)
         if (!std::isfinite(grid.values[k]))
             grid.values[k] = colours.foot(all.counts[k] > 0 ? 1 : 0);
-    return image(picture, grid, colours);
+    return image(picture, grid, scale.label, colours);
 }
 
 // ---- points ----
@@ -127,22 +145,23 @@ std::string dots(const MapPicture& picture, const std::vector<MapPoint>& points)
     std::vector<double> values, numbers;
     for (const MapPoint& point : points) values.push_back(point.z);
     const bool has_colours = !picture.z.empty();
-    const FootedPalette colours(viridis,
-                                has_gap(values) ? std::vector{grey} : std::vector<const char*>{},
-                                range_of(values));
-    for (const MapPoint& point : points)
-        numbers.insert(numbers.end(),
-                       {point.x, point.y, std::isnan(point.z) ? colours.foot(0) : point.z});
+    const MapScale scale = scale_of(picture, values);
+    const FootedPalette colours(
+        viridis, has_gap(values) ? std::vector{grey} : std::vector<const char*>{}, scale.range);
+    for (std::size_t k = 0; k < points.size(); ++k)
+        numbers.insert(numbers.end(), {points[k].x, points[k].y,
+                                       std::isnan(values[k]) ? colours.foot(0) : values[k]});
     const PlottedNumbers plotted(numbers);
-    if (points.empty()) return svg_of(picture, "plot [0:1] [0:1] NaN\n");
+    if (points.empty()) return svg_of(picture, scale.label, "plot [0:1] [0:1] NaN\n");
     const double size = !has_colours ? 0.25 : points.size() <= most_large_dots ? 0.6 : 0.35;
-    return svg_of(picture, colours.commands() +
-                               fmt::format("plot {} binary record={} format='%3double' using {} "
-                                           "pointtype 7 pointsize {}\n",
-                                           plotted.quoted_path(), points.size(),
-                                           has_colours ? "1:2:3 with points palette"
-                                                       : "1:2 with points linecolor rgb '#00508c'",
-                                           size));
+    return svg_of(picture, scale.label,
+                  colours.commands() +
+                      fmt::format("plot {} binary record={} format='%3double' using {} "
+                                  "pointtype 7 pointsize {}\n",
+                                  plotted.quoted_path(), points.size(),
+                                  has_colours ? "1:2:3 with points palette"
+                                              : "1:2 with points linecolor rgb '#00508c'",
+                                  size));
 }
 
 }  // namespace

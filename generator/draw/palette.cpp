@@ -33,6 +33,25 @@ NumberRange range_of(const std::vector<double>& numbers) {
     return {range.from - around, range.to + around};
 }
 
+NumberRange colour_range_of(const std::vector<double>& numbers) {
+    constexpr std::size_t enough = 200;
+    constexpr double much = 3;
+    const NumberRange all = range_of(numbers);
+    std::vector<double> finite;
+    for (const double number : numbers)
+        if (std::isfinite(number)) finite.push_back(number);
+    if (finite.size() < enough) return all;
+    const auto nth = [&](std::size_t n) {
+        const auto place = finite.begin() + static_cast<std::ptrdiff_t>(n);
+        std::nth_element(finite.begin(), place, finite.end());
+        return *place;
+    };
+    const std::size_t hundredth = finite.size() / 100;
+    const NumberRange most{nth(hundredth), nth(finite.size() - 1 - hundredth)};
+    const bool are_few_far = (all.to - all.from) > much * (most.to - most.from);
+    return are_few_far && most.from < most.to ? most : all;
+}
+
 std::string gnuplot_palette(std::span<const char* const> colours) {
     std::string list;
     for (std::size_t k = 0; k < colours.size(); ++k)

@@ -19,6 +19,10 @@ struct NumberRange {
 /// 1 where there is none.
 [[nodiscard]] NumberRange range_of(const std::vector<double>& numbers);
 
+/// Returns a range for colours: that of the finite numbers, or, where a few of them would leave the
+/// others one colour, that of all but the lowest and the highest hundredth.
+[[nodiscard]] NumberRange colour_range_of(const std::vector<double>& numbers);
+
 // From dark to light, for all eyes: five colours of matplotlib's viridis.
 inline constexpr const char* viridis[]{"#440154", "#3b528b", "#21918c", "#5ec962", "#fde725"};
 

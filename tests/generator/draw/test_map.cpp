@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <limits>
 #include <random>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -118,6 +119,37 @@ TEST_CASE("a range has a length") {
     CHECK(range_of({4, 4}).to == 6);
     CHECK(range_of({0}).from == -1);
     CHECK(range_of({}).to == 1);
+}
+
+TEST_CASE("a few values that are far away do not take the colours of the others") {
+    std::vector<double> numbers;
+    for (int i = 0; i < 1000; ++i) numbers.push_back(i);
+    CHECK(colour_range_of(numbers).from == 0);
+    CHECK(colour_range_of(numbers).to == 999);
+    numbers[7] = 1e6;
+    numbers[8] = -1e5;
+    numbers[9] = no_number;
+    CHECK((10 <= colour_range_of(numbers).from && colour_range_of(numbers).from <= 20));
+    CHECK((980 <= colour_range_of(numbers).to && colour_range_of(numbers).to <= 999));
+    // All but a few are equal: there is no other range than that of all.
+    CHECK(colour_range_of([] {
+              std::vector<double> equal(500, 1.0);
+              equal[3] = 9;
+              return equal;
+          }())
+              .to == 9);
+
+    std::vector<double> values;
+    for (int i = 0; i < 40; ++i)
+        for (int j = 0; j < 40; ++j)
+            values.insert(values.end(), {i / 39.0, j / 39.0, i == 5 && j < 3 ? 1e9 : i});
+    const std::string svg = draw(picture_of(values));
+    std::set<std::string> colours;
+    for (const Rectangle& one : rectangles(svg, 1600)) colours.insert(one.colour);
+    CHECK(colours.size() >= 38);
+    CHECK(svg.find("with 1 % beyond each end") != std::string::npos);
+    CHECK(draw(picture_of({0, 0, 1, 0, 1, 1, 1, 0, 1, 1, 1, 1})).find("beyond") ==
+          std::string::npos);
 }
 
 TEST_CASE("a grid is an image, with the least value dark and gaps grey") {
