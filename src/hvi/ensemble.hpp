@@ -101,18 +101,35 @@ public:
     ///
     /// Rethrows, when all threads have ended, the first exception of a step, std::bad_alloc or
     /// std::system_error. Some trajectories have then been advanced and others not.
-    void advance(Scalar h, std::int64_t steps, unsigned threads = 0) { go({h}, {steps}, threads); }
+    void advance(Scalar h, std::int64_t steps, unsigned threads = 0) {
+        go({h}, {steps}, threads, detail::NoWatch());
+    }
 
     /// Takes trajectory i `steps[i]` steps of size `h[i]` further, as advance() above does. One
     /// that has no steps, or steps of size 0, keeps every bit. Throws std::invalid_argument unless
     /// there are as many of both as trajectories.
     void advance(const std::vector<Scalar>& h, const std::vector<std::int64_t>& steps,
                  unsigned threads = 0) {
-        if (h.size() != size_ || steps.size() != size_) {
-            throw std::invalid_argument(
-                "hvi: there are as many sizes and numbers of steps as trajectories");
-        }
-        go(h, steps, threads);
+        check(h, steps);
+        go(h, steps, threads, detail::NoWatch());
+    }
+
+    /// Take trajectories further as advance() does, and call watch(i, x) after each step of
+    /// trajectory i, where x is its state now. Where that returns false the trajectory ends there,
+    /// with all its steps so far; further calls go on from there. So a program stops trajectories,
+    /// counts what happens to them, and keeps the largest or the mean of what it likes.
+    ///
+    /// Calls for one trajectory come in the order of its steps, and calls for several from several
+    /// threads at once. Precondition: watch() throws nothing.
+    template <class Watch>
+    void advance_watched(Scalar h, std::int64_t steps, const Watch& watch, unsigned threads = 0) {
+        go({h}, {steps}, threads, watch);
+    }
+    template <class Watch>
+    void advance_watched(const std::vector<Scalar>& h, const std::vector<std::int64_t>& steps,
+                         const Watch& watch, unsigned threads = 0) {
+        check(h, steps);
+        go(h, steps, threads, watch);
     }
 
     [[nodiscard]] Trajectory state(std::size_t i) const { return trajectories_.state(i); }
@@ -133,12 +150,19 @@ public:
     }
 
 private:
-    void go(const std::vector<Scalar>& h, const std::vector<std::int64_t>& steps,
-            unsigned threads) {
+    void check(const std::vector<Scalar>& h, const std::vector<std::int64_t>& steps) const {
+        if (h.size() == size_ && steps.size() == size_) { return; }
+        throw std::invalid_argument(
+            "hvi: there are as many sizes and numbers of steps as trajectories");
+    }
+
+    template <class Watch>
+    void go(const std::vector<Scalar>& h, const std::vector<std::int64_t>& steps, unsigned threads,
+            const Watch& watch) {
         if (size_ == 0) { return; }
         const detail::Courses<Stepper> courses(parameters_, h, steps);
         detail::in_parallel(trajectories_.pieces(), threads, [&](detail::Numbers& pieces) {
-            trajectories_.advance(pieces, courses);
+            trajectories_.advance(pieces, courses, watch);
         });
     }
 

@@ -101,12 +101,14 @@ private:
             return rows_.steps[row];
         }
 
-        void see(const Stepper& stepper, State& x) {
+        bool see(const Stepper& stepper, State& x) {
             if constexpr (!has_time) {
                 if (rows_.energy_errors != nullptr) { departures_.see(stepper, x); }
             }
             growth_.see(x);
+            return true;
         }
+        static constexpr bool ends(std::size_t) { return false; }
 
         void end(std::size_t lane, const State& x, std::int64_t steps) {
             const std::size_t row = who_[lane];

@@ -8,6 +8,9 @@
 
 namespace hvi::detail {
 
+/// The wish that nobody sees steps.
+struct NoWatch {};
+
 /// Lists with a place for each trajectory, or with one for all.
 template <class Stepper>
 class Courses {

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 #include <vector>
 
 #include <hvi/detail/trajectories/courses.hpp>
@@ -34,11 +35,13 @@ public:
     /// Returns the number of pieces: a thread takes one at a time.
     [[nodiscard]] std::size_t pieces() const { return groups_.size(); }
 
-    /// Takes the trajectories of these pieces through their courses.
-    void advance(Numbers& pieces, const Courses& courses) {
+    /// Takes the trajectories of these pieces through their courses, or up to where watch(i, x) of
+    /// a trajectory is false.
+    template <class Watch>
+    void advance(Numbers& pieces, const Courses& courses, const Watch& watch) {
         Stepper stepper(courses.parameters(0));
-        Going going{*this, pieces, courses};
-        SideBySide<Stepper, Going>(stepper, going).run();
+        Going<Watch> going(*this, pieces, courses, watch);
+        SideBySide<Stepper, Going<Watch>>(stepper, going).run();
     }
 
     [[nodiscard]] Trajectory state(std::size_t i) const { return group(i)[i % width]; }
@@ -55,15 +58,17 @@ private:
     using Group = typename Stepper::State;
 
     /// The source of the lanes of one thread; see SideBySide.
+    template <class Watch>
     class Going {
     public:
-        Going(LaneGroups& all, Numbers& pieces, const Courses& courses)
-            : all_(all), pieces_(pieces), courses_(courses) {}
+        Going(LaneGroups& all, Numbers& pieces, const Courses& courses, const Watch& watch)
+            : all_(all), pieces_(pieces), courses_(courses), watch_(watch) {}
 
         std::int64_t begin(std::size_t lane, Group& x, Stepper& stepper) {
             if (!find()) { return 0; }
             const std::size_t i = next_++;
             who_[lane] = i;
+            is_watched_[lane] = true;
             x.take(lane, all_.group(i), i % width);
             if (courses_.has_own_parameters()) {
                 stepper.set_parameters(lane, courses_.parameters(i));
@@ -73,11 +78,23 @@ private:
             return courses_.steps(i);
         }
 
-        static void see(const Stepper&, const Group&) {}
+        [[nodiscard]] bool see(const Stepper&, [[maybe_unused]] const Group& x) {
+            bool all_go_on = true;
+            if constexpr (!std::is_same_v<Watch, NoWatch>) {
+                for (std::size_t lane = 0; lane < width; ++lane) {
+                    if (!is_watched_[lane] || !x.status()[lane].ok()) { continue; }
+                    is_watched_[lane] = watch_(who_[lane], x[lane]);
+                    all_go_on = all_go_on && is_watched_[lane];
+                }
+            }
+            return all_go_on;
+        }
+        [[nodiscard]] bool ends(std::size_t lane) const { return !is_watched_[lane]; }
         static constexpr bool goes_on() { return true; }
 
         void end(std::size_t lane, const Group& x, std::int64_t steps) {
             const std::size_t i = who_[lane];
+            is_watched_[lane] = false;
             all_.group(i).take(i % width, x, lane);
             all_.steps_[i] += steps;
         }
@@ -105,8 +122,10 @@ private:
         LaneGroups& all_;
         Numbers& pieces_;
         const Courses& courses_;
+        const Watch& watch_;
         std::array<std::size_t, width> who_{};
-        std::size_t next_ = 0, end_ = 0;  ///< trajectories of the piece
+        std::array<bool, width> is_watched_{};  ///< whether its trajectory is to go on
+        std::size_t next_ = 0, end_ = 0;        ///< trajectories of the piece
     };
 
     [[nodiscard]] const Group& group(std::size_t i) const { return groups_[i / width]; }

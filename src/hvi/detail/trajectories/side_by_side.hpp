@@ -19,8 +19,10 @@ inline constexpr std::int64_t steps_at_once = 4096;
 ///
 /// `Source` has these members. begin(lane, x, stepper) puts a trajectory into a lane of x, gives
 /// the stepper its size of steps and its parameters, and returns how many steps it takes, or 0
-/// where there are no more. see(stepper, x) looks at a state after each step, and may change it. end(lane, x, steps)
-/// takes a trajectory that has taken so many steps. goes_on() is false where the work is to end.
+/// where there are no more. see(stepper, x) looks at a state after each step, which it may change,
+/// and returns false where it ends a trajectory before its last step; ends(lane) is which.
+/// end(lane, x, steps) takes a trajectory that has taken so many steps. goes_on() is false where
+/// the work is to end.
 template <class Stepper, class Source>
 class SideBySide {
 public:
@@ -61,7 +63,7 @@ private:
         return fewest;
     }
 
-    /// Takes steps, up to the first that fails in a lane. Returns their number.
+    /// Takes steps, up to the first that fails in a lane or ends it. Returns their number.
     ///
     /// NOTE: on a copy, which nobody else sees, so that compilers keep it in registers.
     [[gnu::flatten]] std::int64_t take(std::int64_t steps) {
@@ -70,8 +72,8 @@ private:
         std::int64_t taken = 0;
         bool is_ok = true;
         for (; taken < steps && is_ok; ++taken) {
-            is_ok = stepper.step(x).ok();
-            source_.see(stepper, x);
+            const bool has_failed = !stepper.step(x).ok();
+            is_ok = source_.see(stepper, x) && !has_failed;
         }
         stepper_ = stepper;
         x_ = x;
@@ -81,7 +83,7 @@ private:
     void look_after(std::size_t lane, std::int64_t taken) {
         const bool has_failed = !x_.status()[lane].ok();
         left_[lane] -= taken;
-        if (!has_failed && left_[lane] != 0) { return; }
+        if (!has_failed && !source_.ends(lane) && left_[lane] != 0) { return; }
         source_.end(lane, x_, all_[lane] - left_[lane] - (has_failed ? 1 : 0));
         begin(lane);
     }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 #include <vector>
 
 #include <hvi/detail/trajectories/courses.hpp>
@@ -29,15 +30,17 @@ public:
     /// Returns the number of pieces: a thread takes one at a time.
     [[nodiscard]] std::size_t pieces() const { return states_.size(); }
 
-    /// Takes the trajectories of these pieces through their courses.
-    void advance(Numbers& pieces, const Courses& courses) {
+    /// Takes the trajectories of these pieces through their courses, or up to where watch(i, x) of
+    /// a trajectory is false.
+    template <class Watch>
+    void advance(Numbers& pieces, const Courses& courses, const Watch& watch) {
         Stepper stepper(courses.parameters(0));
         for (std::size_t i = 0; pieces.take(i);) {
             Run& run = runs_[i];
             if (!run.ok() || courses.steps(i) <= 0) { continue; }
             if (courses.has_own_parameters()) { stepper = Stepper(courses.parameters(i)); }
             stepper.reset();
-            const Run more = take(stepper, states_[i], courses.h(i), courses.steps(i));
+            const Run more = taken(stepper, i, courses, watch);
             run.status = more.status;
             run.steps += more.steps;
         }
@@ -52,6 +55,24 @@ public:
     }
 
 private:
+    template <class Watch>
+    [[nodiscard]] Run taken(Stepper& stepper, std::size_t i, const Courses& courses,
+                            [[maybe_unused]] const Watch& watch) {
+        if constexpr (std::is_same_v<Watch, NoWatch>) {
+            return take(stepper, states_[i], courses.h(i), courses.steps(i));
+        } else {
+            Run run;
+            while (run.steps < courses.steps(i)) {
+                run.status = stepper.step(states_[i], courses.h(i));
+                if (!run.ok()) { break; }
+                ++run.steps;
+                const Trajectory& now = states_[i];
+                if (!watch(i, now)) { break; }
+            }
+            return run;
+        }
+    }
+
     std::vector<Trajectory> states_;
     std::vector<Run> runs_;
 };
