@@ -103,9 +103,9 @@ std::vector<std::optional<RowEnd>> take_batch(const RowWishes& wishes,
                                     .statuses = ends.statuses.data(),
                                     .energy_errors = ends.energy_errors.data(),
                                     .conserved = looks ? ends.conserved.data() : nullptr,
+                                    .is_stopped = is_stopped,
                                     .direction = wishes.growth ? direction.data() : nullptr,
-                                    .growths = wishes.growth ? ends.growths.data() : nullptr,
-                                    .is_stopped = is_stopped};
+                                    .growths = wishes.growth ? ends.growths.data() : nullptr};
     if (count > 0) take_rows(call, directory, batch.numbers.size() / count, rows);
     std::vector<std::optional<RowEnd>> result;
     for (std::size_t row = 0; row < count; ++row)

@@ -28,9 +28,11 @@ struct EnsembleRows {
     double* energy_errors;      ///< the largest departures of the energy, or null: not asked for
     double* conserved;          ///< at the end: the energy, unless H depends on the time, then
                                 ///< invariants; or null: not asked for
-    const double* direction;    ///< dq, then dp, of norm 1, which each row begins with; or null
-    double* growths;            ///< of it: the logarithm of its growth, and MEGNO; or null
     bool (*is_stopped)();       ///< asked every few thousand steps: whether the work is to end
+    /// For modules whose rows carry a direction along: dq, then dp, of norm 1, which each row
+    /// begins with; and of each row the logarithm of its growth, and MEGNO.
+    const double* direction = nullptr;
+    double* growths = nullptr;
 };
 
 /// Functions of such a module, which it has as its symbol hvi_rows. Where rows carry a direction
