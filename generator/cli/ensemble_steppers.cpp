@@ -40,12 +40,11 @@ SceneStepper directions_of(const MethodAndScene& both, const SceneStepper& stepp
 /// Returns steppers on a GPU. Throws InputError where rows cannot be taken there.
 SceneStepper stepper_on_device(const MethodAndScene& both, const SceneStepper& alone,
                                const StepperWishes& wishes, const Place& cuda) {
-    const auto refuse = [&](bool is_there, const std::string& what, const Place& place) {
-        if (is_there) throw InputError("--cuda is not built for " + what, place);
-    };
     refuse_scale(both.scene, "--cuda");
-    for (const IndexedEvent& event : both.scene.events) refuse(true, "events", event.place);
-    if (both.scene.kinks) refuse(true, "kinks that end steps", *both.scene.kinks);
+    if (!both.scene.events.empty())
+        throw InputError("--cuda is not built for events", both.scene.events.front().place);
+    if (both.scene.kinks)
+        throw InputError("--cuda is not built for kinks that end steps", both.scene.kinks);
     if (!alone.system.is_written_out())
         throw InputError("--cuda is not built where sums stay loops", both.scene.place,
                          "--unroll yes writes the sums out, up to 256 degrees of freedom");

@@ -21,8 +21,12 @@ DeviceModule device_module(const SceneStepper& stepper) {
                                          .wishes = stepper.members,
                                          .evaluations = &stepper.evaluations.value()});
     Holes holes = stepper_holes(driven.system, stepper.class_name, text);
-    holes.erase("threads");  // there are no sums that they would share
-    return {fill("device_rows.cu.in", holes), std::move(driven.numbers)};
+    holes.merge(Holes{{"skip", ""},
+                      {"numbers", ""},
+                      {"driven", "hvi/detail/device/rows.hpp"},
+                      {"face", "hvi::device::DeviceRows"},
+                      {"functions", "RowFunctions hvi_rows"}});
+    return {fill("driven.cpp.in", holes), std::move(driven.numbers)};
 }
 
 }  // namespace hvi::gen

@@ -96,11 +96,11 @@ ModuleKind kind_of(const SceneStepper& stepper) {
         const bool grows = stepper.has_direction;
         return {"",
                 grows ? "hvi/detail/module/lane_growth.hpp" : "hvi/detail/module/rows_in_lanes.hpp",
-                grows ? "GrowingRowsInLanes" : "RowsInLanes", "RowFunctions hvi_rows",
-                stepper.class_name};
+                grows ? "hvi::detail::GrowingRowsInLanes" : "hvi::detail::RowsInLanes",
+                "RowFunctions hvi_rows", stepper.class_name};
     }
-    ModuleKind kind{"", "hvi/detail/module/driven.hpp", "Driven", "DrivenFunctions hvi_scene",
-                    stepper.class_name};
+    ModuleKind kind{"", "hvi/detail/module/driven.hpp", "hvi::detail::Driven",
+                    "DrivenFunctions hvi_scene", stepper.class_name};
     if (stepper.step.dual_parts != 0) {
         kind.include = "#include <driver/dual.hpp>";
         kind.driven = "driver/carried_in_duals.hpp";

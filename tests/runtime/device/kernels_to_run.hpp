@@ -18,7 +18,7 @@ namespace made = hvi::generated;
                 take(kepler_in_float, made::BasicKahanLiKeplerThreads<float>)                      \
                     take(double_pendulum, made::BasicGauss2DoublePendulumThreads<double>)
 
-/// Those of rows, which look at the energy.
+/// Kernels of rows, which look at the energy.
 #define HVI_ROWS_TO_RUN(take)                                                                      \
     take(rows_of_functions, made::BasicVerletFunctionsThreads<double>)                             \
         take(rows_of_kepler, made::BasicGauss4KeplerThreads<double>)

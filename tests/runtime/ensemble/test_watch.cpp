@@ -14,7 +14,7 @@ namespace {
 
 constexpr double h = 1.0 / 32;
 
-/// What was seen of each trajectory.
+/// Counts of calls, and largest positions, of each trajectory.
 struct Seen {
     std::vector<std::int64_t> calls;
     std::vector<double> largest;  ///< q[0] after a step

@@ -6,16 +6,14 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <exception>
 #include <new>
-#include <stdexcept>
 #include <unordered_map>
 #include <utility>
 #include <vector>
 
 #include <hvi/detail/device/memory.hpp>
 #include <hvi/detail/device/row_steps.hpp>
-#include <hvi/detail/module/parameters.hpp>
+#include <hvi/detail/module/answered.hpp>
 #include <hvi/detail/module/row_functions.hpp>
 #include <hvi/detail/trajectories/has_time.hpp>
 
@@ -52,16 +50,11 @@ private:
 
     static detail::DrivenAnswer take(const char* directory, std::size_t parameters,
                                      const EnsembleRows& rows, char* message, std::size_t room) {
-        try {
+        const auto take = [&] {
             On::check();
             take_all(Problem::parameters(directory), parameters, rows);
-            return detail::DrivenAnswer::ok;
-        } catch (const std::bad_alloc&) {
-            return detail::DrivenAnswer::out_of_memory;
-        } catch (const std::exception& error) {
-            detail::say(error.what(), message, room);
-            return detail::DrivenAnswer::failed;
-        }
+        };
+        return detail::answered(take, message, room);
     }
 
     /// Takes as many rows at a time as the device has room for.
@@ -106,20 +99,11 @@ private:
             if (is_new) {
                 starts.sizes.push_back(Steps(static_cast<typename Stepper::Scalar>(rows.h[i])));
             }
-            starts.rows.push_back({read(defaults, rows.parameters + i * parameters, parameters),
+            const double* const numbers = rows.parameters + i * parameters;
+            starts.rows.push_back({detail::with_numbers<Problem>(defaults, numbers, parameters),
                                    rows.steps[i], found->second});
         }
         return starts;
-    }
-
-    [[nodiscard]] static Parameters read(Parameters values, const double* numbers,
-                                         std::size_t count) {
-        detail::ParameterReader reader(numbers, count);
-        Problem::set(values, reader);
-        if (!reader.are_right() || !reader.is_count_right()) {
-            throw std::runtime_error("these are not the parameters of the scene");
-        }
-        return values;
     }
 
     // ---- on the device ----

@@ -4,10 +4,10 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <exception>
 #include <new>
 #include <type_traits>
 
+#include <hvi/detail/module/answered.hpp>
 #include <hvi/detail/module/carried.hpp>
 #include <hvi/detail/module/driven_functions.hpp>
 #include <hvi/detail/module/instance.hpp>
@@ -66,22 +66,11 @@ private:
 
     static DrivenAnswer create(const char* directory, unsigned threads, const double* values,
                                std::size_t count, void** made, char* message, std::size_t room) {
-        try {
-            typename Of::Parameters parameters = Problem::parameters(directory);
-            ParameterReader reader(values, count);
-            Problem::set(parameters, reader);
-            if (!reader.are_right() || !reader.is_count_right()) {
-                say("these are not the parameters of the scene", message, room);
-                return DrivenAnswer::failed;
-            }
-            *made = new Of(static_cast<typename Of::Parameters&&>(parameters), threads);
-            return DrivenAnswer::ok;
-        } catch (const std::bad_alloc&) {
-            return DrivenAnswer::out_of_memory;
-        } catch (const std::exception& error) {
-            say(error.what(), message, room);
-            return DrivenAnswer::failed;
-        }
+        const auto make = [&] {
+            *made = new Of(with_numbers<Problem>(Problem::parameters(directory), values, count),
+                           threads);
+        };
+        return answered(make, message, room);
     }
 
     static void destroy(void* instance) { delete static_cast<Of*>(instance); }

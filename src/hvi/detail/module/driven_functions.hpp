@@ -57,11 +57,4 @@ struct DrivenFunctions {
     void (*invariants)(const void* stepper, const double* state, double* values);
 };
 
-/// Sets a message, in `room` characters, to a text that may be longer.
-inline void say(const char* text, char* message, std::size_t room) {
-    std::size_t k = 0;
-    for (; text[k] != '\0' && k + 1 < room; ++k) { message[k] = text[k]; }
-    message[k] = '\0';
-}
-
 }  // namespace hvi::detail

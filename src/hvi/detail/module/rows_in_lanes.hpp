@@ -5,11 +5,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <exception>
-#include <new>
-#include <stdexcept>
 
-#include <hvi/detail/module/parameters.hpp>
+#include <hvi/detail/module/answered.hpp>
 #include <hvi/detail/module/row_functions.hpp>
 #include <hvi/detail/trajectories/has_time.hpp>
 #include <hvi/detail/trajectories/side_by_side.hpp>
@@ -123,7 +120,7 @@ private:
 
     private:
         [[nodiscard]] Parameters read(std::size_t row) const {
-            return read_row(usual_, count_, rows_, row);
+            return with_numbers<Problem>(usual_, rows_.parameters + row * count_, count_);
         }
 
         /// Ends a row that takes no steps.
@@ -154,22 +151,9 @@ private:
         Growth<Stepper> growth_;
     };
 
-    /// Returns the parameters of a row. Throws std::invalid_argument unless they are those of the
-    /// scene.
-    static Parameters read_row(const Parameters& usual, std::size_t count, const EnsembleRows& rows,
-                               std::size_t row) {
-        Parameters parameters = usual;
-        ParameterReader reader(rows.parameters + row * count, count);
-        Problem::set(parameters, reader);
-        if (!reader.are_right() || !reader.is_count_right()) {
-            throw std::invalid_argument("these are not the parameters of the scene");
-        }
-        return parameters;
-    }
-
     static DrivenAnswer take(const char* directory, std::size_t count, const EnsembleRows& rows,
                              char* message, std::size_t room) {
-        try {
+        const auto take_all = [&] {
             const Parameters usual = Problem::parameters(directory);
             for (std::size_t row = 0; row < rows.count; ++row) {
                 rows.statuses[row] = row_not_finished;
@@ -177,13 +161,8 @@ private:
             Stepper stepper(usual);
             Going going(usual, count, rows);
             SideBySide<Stepper, Going>(stepper, going).run();
-            return DrivenAnswer::ok;
-        } catch (const std::bad_alloc&) {
-            return DrivenAnswer::out_of_memory;
-        } catch (const std::exception& error) {
-            say(error.what(), message, room);
-            return DrivenAnswer::failed;
-        }
+        };
+        return answered(take_all, message, room);
     }
 };
 

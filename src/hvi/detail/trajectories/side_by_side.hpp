@@ -35,7 +35,7 @@ public:
     /// Takes all to their ends.
     void run() {
         while (are_there() && source_.goes_on()) {
-            const std::int64_t taken = take(std::min(fewest_left(), steps_at_once));
+            const std::int64_t taken = take(steps_ahead());
             for (std::size_t lane = 0; lane < width; ++lane) {
                 if (left_[lane] != 0) { look_after(lane, taken); }
             }
@@ -55,7 +55,8 @@ private:
         return std::any_of(left_.begin(), left_.end(), [](std::int64_t left) { return left != 0; });
     }
 
-    [[nodiscard]] std::int64_t fewest_left() const {
+    /// Returns how many steps all lanes take before the first of them is at its end.
+    [[nodiscard]] std::int64_t steps_ahead() const {
         std::int64_t fewest = steps_at_once;
         for (const std::int64_t left : left_) {
             if (left != 0) { fewest = std::min(fewest, left); }
