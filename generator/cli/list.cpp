@@ -67,7 +67,13 @@ std::string methods() {
     for (const MethodEntry& method : named_methods())
         rows.push_back({std::string(method.name),
                         fmt::format("{}{}", method.description, in_brackets(method.paper))});
+    Rows parts;
+    for (const SplittingEntry& entry : splittings())
+        parts.push_back({std::string(entry.name),
+                         entry.sizes.empty() ? "" : fmt::format("S = {}", entry.sizes),
+                         fmt::format("{} [{}]", entry.description, entry.source)});
     return table("Methods: --method", rows) + "\n" +
+           table("Splittings of H in parts A + B whose flows are known: --method", parts) + "\n" +
            table("Methods of S stages, with polynomials that interpolate at the nodes: --method",
                  family_rows(node_families()));
 }

@@ -21,6 +21,8 @@ Names names_of_families(std::span<const FamilyEntry> families) {
 Names names_of_methods() {
     Names names;
     for (const MethodEntry& method : named_methods()) names.emplace_back(method.name);
+    for (const SplittingEntry& entry : splittings())
+        names.emplace_back(entry.name.substr(0, entry.name.find('S')));
     for (std::string& family : names_of_families(node_families()))
         names.push_back(std::move(family));
     return names;

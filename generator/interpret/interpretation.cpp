@@ -138,6 +138,7 @@ private:
 namespace {
 
 std::string obstacle_of(const ExplicitStep&) { return {}; }
+std::string obstacle_of(const FlowStep&) { return "flows of parts are to come"; }
 std::string obstacle_of(const TabulatedStep&) { return "steps of a linear map are to come"; }
 std::string obstacle_of(const PairStep&) { return {}; }
 std::string obstacle_of(const VelocityStep&) { return {}; }

@@ -57,6 +57,7 @@ std::string dump(const SystemProperties& system) {
     add(system.has_linear_map, "steps are linear maps");
     add(system.is_degenerate, "d2H/dp2 has a row of zeros");
     add(system.is_lattice, "a lattice");
+    if (system.parts > 0) { result += fmt::format("parts: {}\n", system.parts); }
     const EvaluationCosts& costs = system.costs;
     return result + text(system.linear) +
            fmt::format("costs: dH/dq {}, dH/dp at q {}, both {}, second {}{}\nshared: {}\n",

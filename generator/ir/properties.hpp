@@ -74,6 +74,7 @@ struct SystemProperties {
     std::size_t rotations = 0;           ///< among the degrees of freedom, three for each
     LinearPart linear = {};
     Container container = Container::of_user;
+    std::size_t parts = 0;    ///< parts whose flows make up the steps; 0: there are none
     bool is_lattice = false;  ///< whether there are sites; see Sites
     HessianForm hessian = HessianForm::dense;
     EvaluationCosts costs = {};     ///< zeros: not known

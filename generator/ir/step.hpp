@@ -114,6 +114,17 @@ struct ExplicitStep {
     Sums sums = Sums::plain;
 };
 
+/// Flows of parts of H in turn, each exact; nothing is solved.
+struct FlowStep {
+    /// The flow of a part over a fraction of h.
+    struct Move {
+        std::size_t part;
+        std::size_t fraction;  ///< among the fractions of its part
+    };
+    std::vector<NumberVector> fractions;  ///< of each part, each value once
+    std::vector<Move> moves;
+};
+
 /// The general Galerkin form, of one step or of several in a row.
 struct TabulatedCurve {
     GalerkinForm form;
@@ -285,7 +296,9 @@ struct Step {
     std::vector<Block> blocks;  ///< each needs only what stands before it
     KeptSlopes kept;
     std::optional<FromParameter> from_parameter;  ///< where a parameter is free
-    std::variant<ExplicitStep, TabulatedStep, PairStep, VelocityStep, GalerkinStep, ChartStep> form;
+    std::variant<ExplicitStep, FlowStep, TabulatedStep, PairStep, VelocityStep, GalerkinStep,
+                 ChartStep>
+        form;
     /// The sizes gamma_1, ..., gamma_k of a composition whose steps are taken one after the other,
     /// where this is one of them. Else empty: all that a step does is here.
     NumberVector in_a_row;

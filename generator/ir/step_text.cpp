@@ -168,6 +168,18 @@ std::string lines(const ExplicitStep& form) {
                        form.sums == Sums::plain ? "plain" : "compensated");
 }
 
+std::string lines(const FlowStep& form) {
+    std::string result = "form: flows\n";
+    for (std::size_t k = 0; k < form.fractions.size(); ++k) {
+        result += line(fmt::format("part {}", k + 1), form.fractions[k]);
+    }
+    result += "moves:";
+    for (const auto& [part, fraction] : form.moves) {
+        result += fmt::format(" {}.{}", part + 1, fraction + 1);
+    }
+    return result + '\n';
+}
+
 std::string lines(const GalerkinForm& form) {
     return line("b", form.b) + lines("phi", form.phi) + lines("A", form.A) + line("B", form.B) +
            line("G", form.gram);

@@ -158,6 +158,18 @@ void verify_form(const Step& step, const ExplicitStep&) {
     verify_order(step);
 }
 
+void verify_form(const Step& step, const FlowStep& form) {
+    HVI_CHECK(step.is_explicit() && step.layout == Layout::one && !step.depends_on_time());
+    HVI_CHECK(!step.kept.any() && !step.from_parameter && !form.moves.empty());
+    std::vector<Number> sums(form.fractions.size(), Number(0));
+    for (const auto& [part, fraction] : form.moves) {
+        HVI_CHECK(part < sums.size() && fraction < form.fractions[part].size());
+        sums[part] = sums[part] + form.fractions[part][fraction];
+    }
+    for (const Number& sum : sums) { HVI_CHECK(!differ(sum, Number(1))); }
+    verify_order(step);
+}
+
 /// Checks that one block has all unknowns, of r nodes and s functions.
 void verify_curve(const Step& step, const GalerkinForm& form, const RoundedGalerkinForm& rounded) {
     const std::size_t r = form.nodes(), s = form.functions();

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "generator/expr/scaled_time.hpp"
+#include "generator/ir/part.hpp"
 #include "generator/ir/sites.hpp"
 #include "generator/ir/structure.hpp"
 
@@ -108,6 +109,7 @@ struct System {
     Structure structure;
     SecondOrder second;
     std::optional<Sites> sites;  ///< where the system is a lattice, and not written out
+    std::optional<HamiltonianParts> parts;  ///< where steps are flows of parts of H
 
     [[nodiscard]] const SystemFamily& family(const Access& access) const;
     [[nodiscard]] bool is_written_out() const;

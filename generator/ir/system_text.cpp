@@ -300,6 +300,18 @@ std::string variables(const System& system) {
     return result;
 }
 
+std::string lines(const HamiltonianParts& parts) {
+    std::string result = line("duration", text(parts.duration));
+    for (const HamiltonianPart& part : parts.parts) {
+        result += line("part " + part.name, part.flow);
+        for (const auto& [is_conjugate, component, change] : part.moved) {
+            result += line(fmt::format("{}{} moves by", is_conjugate ? 'p' : 'q', component + 1),
+                           text(change));
+        }
+    }
+    return result;
+}
+
 }  // namespace
 
 std::string dump(const System& system) {
@@ -321,6 +333,7 @@ std::string dump(const System& system) {
     }
     const bool is_written_out = system.is_written_out();
     result += (is_written_out ? derivatives(system) : with_loops(system)) + starts(system);
+    if (system.parts) { result += lines(*system.parts); }
     for (const SystemValue& each : system.invariants) {
         result += is_written_out ? line("invariant " + each.name, text(value_of(each)))
                                  : lines(system, "invariant " + each.name, each.sums);

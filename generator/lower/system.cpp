@@ -71,6 +71,7 @@ SystemProperties properties(const System& system) {
         .rotations = bodies_of(system),
         .linear = linear_part(found.constant),
         .container = system.is_written_out() ? Container::arrays : Container::vectors,
+        .parts = system.parts ? system.parts->parts.size() : 0,
         .is_lattice = system.sites.has_value(),
         .hessian = found.hessian,
     };

@@ -182,6 +182,25 @@ void check_wishes_of_any_size(const StepperWishes& wishes, const Place& place) {
                          "write sums out: --unroll yes");
 }
 
+void check_splitting(const System& system, const Method& method, const StepperWishes& wishes,
+                     const Place& place) {
+    if (!system.is_written_out())
+        throw NoLoops("flows of parts of H are not built where sums stay loops", place,
+                      "write sums out: --unroll yes; or let H be T(p) + U(q), without [split]");
+    if (system.side == Side::lagrangian)
+        throw MathError("a splitting takes a Hamiltonian", method.place,
+                        "`hvi-gen scheme` prints that of this Lagrangian");
+    const auto refuse = [&](bool is_wished, const std::string& what) {
+        if (is_wished)
+            throw InputError(what + " is not built for flows of parts of H", method.place,
+                             "take a method that is no splitting: gauss:2");
+    };
+    refuse(system.time.has_value(), "a time in H");
+    refuse(system.scaled.has_value(), "scaled time");
+    refuse(wishes.action, "--action");
+    refuse(!system.own_headers.empty(), "a function of your own");
+}
+
 void check_step(const Step& step, const Method& method, const StepperWishes& wishes,
                 const Place& place) {
     if (step.container == Container::vectors) {

@@ -25,6 +25,11 @@ void check_newton(const System& system, const Step& step, const Place& place);
 /// has. Precondition: the system is written out.
 void check_functions_on_device(const System& system, const StepperWishes& wishes);
 
+/// Throws InputError, or MathError for a Lagrangian, where steps of a splitting cannot be flows of
+/// parts of H; NoLoops where sums stay loops. `place`: that of H.
+void check_splitting(const System& system, const Method& method, const StepperWishes& wishes,
+                     const Place& place);
+
 /// Throws InputError for a step that was planned otherwise than wished for, or that its container
 /// does not have. `place` is that of H.
 void check_step(const Step& step, const Method& method, const StepperWishes& wishes,

@@ -141,6 +141,23 @@ std::vector<std::string> facts_of_scaled_time(const System& system) {
             "H here is K = " + to_text(system.expression)};
 }
 
+/// Returns the parts of H, and the work of their flows.
+std::vector<std::string> costs_of_flows(const System& system, const FlowStep& form) {
+    std::vector<std::string> result{"no unknowns: nothing is solved for"};
+    const std::vector<HamiltonianPart>& parts = system.parts->parts;
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+        std::vector<Scaled> changes;
+        for (const Moved& moved : parts[k].moved) { changes.push_back(moved.change); }
+        const auto count = std::count_if(form.moves.begin(), form.moves.end(),
+                                         [&](const FlowStep::Move& move) { return move.part == k; });
+        result.push_back(fmt::format(
+            "flow of {} = {}, {}, {} in a step: {}", parts[k].name, to_text(parts[k].expression),
+            parts[k].flow, count == 1 ? "once" : fmt::format("{} times", count),
+            text(kernel(system.graph, std::move(changes)).counts)));
+    }
+    return result;
+}
+
 }  // namespace
 
 std::vector<std::string> facts(const System& system) {
@@ -176,6 +193,9 @@ std::vector<std::string> costs(const System& system, const Step& step,
     if (const auto* map = std::get_if<TabulatedStep>(&step.form)) {
         return {cost_of_map(n, map->as == TabulatedStep::As::shears,
                             has_linear_part(system.structure))};
+    }
+    if (const auto* flows = std::get_if<FlowStep>(&step.form)) {
+        return costs_of_flows(system, *flows);
     }
     const std::string by_q = fmt::format("d{}/dq", system.function_letter());
     const std::string by_p =

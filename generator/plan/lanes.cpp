@@ -34,6 +34,7 @@ std::string obstacle_in_stages(const Step& step) {
 std::string obstacle_in_form(const Step& step) {
     if (step.from_parameter) { return "the coefficients depend on a parameter"; }
     if (std::holds_alternative<ExplicitStep>(step.form)) { return ""; }
+    if (std::holds_alternative<FlowStep>(step.form)) { return "flows of parts are to come"; }
     if (step.iteration() == nullptr) { return "they have no curve"; }
     if (std::holds_alternative<GalerkinStep>(step.form)) { return of_curves; }
     if (std::holds_alternative<ChartStep>(step.form)) { return of_charts; }

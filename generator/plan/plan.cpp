@@ -9,6 +9,7 @@
 #include "generator/exact/methods/properties.hpp"
 #include "generator/ir/equal.hpp"
 #include "generator/plan/chart_step.hpp"
+#include "generator/plan/flow_step.hpp"
 #include "generator/plan/free_parameter.hpp"
 #include "generator/plan/galerkin_step.hpp"
 #include "generator/plan/general_form.hpp"
@@ -303,6 +304,7 @@ void note_threads(Step& step) {
 }
 
 void round_coefficients(const Step&, ExplicitStep&) {}
+void round_coefficients(const Step&, FlowStep&) {}
 void round_tables(const Step& step, RoundedCoefficients& coefficients) {
     coefficients = rounded(step);
 }
@@ -348,6 +350,27 @@ Step planned_in_charts(Step step, const OneStepMethod& method, const SystemPrope
     if (system.depends_on_time) { set_times(step, position_times(step)); }
     set_solver(step, solver_for(wishes), system);
     return step;
+}
+
+/// Plans a step as flows of parts of H. The stages are those of kicks and drifts, each of which is
+/// the flow of a part of a separable H.
+Step planned_as_flows(const Tableau& tableau, const OneStepMethod& method,
+                      const SystemProperties& system) {
+    Step step;
+    step.slopes = Slopes::of_parts;
+    step.partner = partner(tableau);
+    WeightedStages stages = weighted_stages(tableau);
+    if (method.composition) {
+        stages = composed(stages, *method.composition);
+        note_composition(step, method);
+    }
+    const std::size_t decided = step.decisions.size();
+    set_stages(step, stages);
+    set_places(step);
+    set_blocks(step);
+    step.decisions.resize(decided);
+    set_flows(step, system.parts, stages.b);
+    return completed(std::move(step), system);
 }
 
 /// Plans all steps of a composition as one, except the start of its iteration.
@@ -410,6 +433,7 @@ std::optional<Step> planned_in_a_row(const Tableau& tableau, const OneStepMethod
 
 Step planned(const Tableau& tableau, const OneStepMethod& method, const SystemProperties& system,
              const StepWishes& wishes) {
+    if (system.parts > 0) { return planned_as_flows(tableau, method, system); }
     if (method.composition) {
         std::optional<Step> one_by_one = planned_in_a_row(tableau, method, system, wishes);
         if (one_by_one) { return completed(*std::move(one_by_one), system); }

@@ -42,6 +42,14 @@ constexpr std::array<MethodEntry, 5> method_table{{
     {"trig3", "1, cos(pi*tau), sin(pi*tau)", "0, 1/2, 1", "three stages, order 2", "Example 4.6"},
 }};
 
+constexpr std::array<SplittingEntry, 5> splitting_table{{
+    {"strang", "", "half of A, B, half of A: order 2", "Strang 1968"},
+    {"saba:S", "1..10", "for a small B, order (2*S, 2)", "Laskar & Robutel 2001"},
+    {"mclachlan:8.2", "", "for a small B, order (8, 2): saba:4", "McLachlan 1995"},
+    {"mclachlan:8.4", "", "for a small B, order (8, 4)", "McLachlan 1995"},
+    {"blanes:10.6.4", "", "for a small B, order (10, 6, 4)", "Blanes et al. 2013"},
+}};
+
 constexpr std::string_view explicit_of_order_4 =
     "write `stormer-verlet` with `--compose yoshida:4`, which takes these steps";
 constexpr std::string_view not_symplectic =
@@ -80,6 +88,8 @@ std::span<const FormEntry> basis_forms() { return basis_form_table; }
 std::span<const FormEntry> node_forms() { return node_form_table; }
 
 std::span<const MethodEntry> named_methods() { return method_table; }
+
+std::span<const SplittingEntry> splittings() { return splitting_table; }
 
 std::span<const OtherName> other_names() { return other_name_table; }
 

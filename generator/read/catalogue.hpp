@@ -29,6 +29,14 @@ struct MethodEntry {
     std::string_view paper;
 };
 
+/// A splitting of H into parts.
+struct SplittingEntry {
+    std::string_view name;  ///< `saba:S` for a family
+    std::string_view sizes;  ///< the values of S, for people; empty for one that is no family
+    std::string_view description;
+    std::string_view source;  ///< who found it
+};
+
 /// Another program's name for a method.
 struct OtherName {
     std::string_view name;
@@ -50,6 +58,12 @@ struct FormEntry {
 /// The methods that are no families. Besides them every family of nodes is a family of methods,
 /// with its interpolating polynomials.
 [[nodiscard]] std::span<const MethodEntry> named_methods();
+
+/// Splittings, which step H by the flows of its parts.
+[[nodiscard]] std::span<const SplittingEntry> splittings();
+
+/// The largest S of `saba:S`.
+constexpr long largest_saba = 10;
 
 /// Names of methods in textbooks and in other programs.
 [[nodiscard]] std::span<const OtherName> other_names();

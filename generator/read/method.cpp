@@ -26,6 +26,8 @@ std::vector<std::string_view> method_names() {
     std::vector<std::string_view> names;
     for (const FamilyEntry& entry : node_families()) names.push_back(entry.name);
     for (const MethodEntry& entry : named_methods()) names.push_back(entry.name);
+    for (const SplittingEntry& entry : splittings())
+        names.push_back(entry.name.substr(0, entry.name.find(":S")));
     return names;
 }
 
@@ -41,6 +43,20 @@ const MethodEntry* find_method(std::string_view name) {
     const auto found = std::find_if(methods.begin(), methods.end(),
                                     [&](const MethodEntry& entry) { return entry.name == name; });
     return found == methods.end() ? nullptr : &*found;
+}
+
+/// Returns whether a splitting has this name. Throws InputError for a size that it does not have.
+bool is_splitting(const std::string& name, const std::shared_ptr<const Source>& source) {
+    constexpr std::string_view saba = "saba:";
+    if (name.starts_with(saba)) {
+        const Family family = parse_family(source);
+        if (family.size >= 1 && family.size <= largest_saba) return true;
+        throw InputError(fmt::format("there is no `{}`", name), whole(source),
+                         fmt::format("S is from 1 to {}", largest_saba));
+    }
+    return std::any_of(splittings().begin(), splittings().end(), [&](const SplittingEntry& entry) {
+        return entry.name == name && entry.sizes.empty();
+    });
 }
 
 /// Returns our name of a method that is named as in other programs; empty where there is none.
@@ -92,6 +108,13 @@ Method single_method(const MethodEntry& entry) {
     return method;
 }
 
+/// NOTE: one stage at the end of the step is a drift, and a kick after it.
+Method splitting_method(const std::string& name) {
+    Method method = single_method({name, "1", "1", "", ""});
+    method.splitting = name;
+    return method;
+}
+
 /// Returns a text without blanks inside items and without characters that the shell or a comment in
 /// C++ would act on.
 std::string canonical_text(const List& list) {
@@ -118,10 +141,17 @@ void insert_parameters(const List& list, std::set<std::string>& names) {
 Method named_method(std::shared_ptr<const Source> source) {
     const std::string name = part(*source, trimmed(source->text, whole(source).range));
     if (name.empty()) throw InputError("the name of the method is empty", whole(source));
+    if (is_splitting(name, source)) {
+        Method method = splitting_method(name);
+        method.origin = "--method " + name;
+        method.place = whole(source);
+        return method;
+    }
     const std::string_view here = known_elsewhere(name);
     const MethodEntry* entry = find_method(here.empty() ? name : here);
     if (entry == nullptr && name.find(':') == std::string::npos) {
-        if (find_family(node_families(), name) == nullptr) refuse_name(name, source);
+        const bool is_family = find_family(node_families(), name) != nullptr || name == "saba";
+        if (!is_family) refuse_name(name, source);
         throw InputError(fmt::format("`{}` is a family of methods and wants a size", name),
                          whole(source), fmt::format("write for example `{}:3`", name));
     }

@@ -41,6 +41,9 @@ struct Method {
     std::optional<List> weights;
     std::vector<Parameter> parameters;  ///< each a symbol of the method, no name twice
     std::optional<Place> place;         ///< the place of its name, or of its basis, for errors
+    /// The name of a splitting of H into parts, `saba:4`; empty for other methods. The lists are
+    /// those of the drift and the kick that make it up.
+    std::string splitting = {};
 };
 
 /// Returns the method with this name: `gauss:3`, or one of `named_methods()`. Throws InputError for

@@ -101,6 +101,12 @@ struct IndexedScale {
     Place place;                   ///< the place of the key
 };
 
+/// The section [split]: parts of H whose sum it is.
+struct IndexedSplit {
+    std::vector<NamedIndexed> parts;  ///< in the order of the file
+    Place place;                      ///< the place of the section
+};
+
 /// A part of a function that has a name: `r`, or with indices `d[i]`.
 struct Definition {
     std::string name;
@@ -135,6 +141,7 @@ struct Scene {
     std::set<std::string> approximate;       ///< invariants that are said to be nearly conserved
     std::vector<IndexedField> fields;        ///< fields of [symmetries]
     std::vector<IndexedEvent> events;        ///< in the order of the file
+    std::optional<IndexedSplit> split = {};  ///< none where parts are left to be found
     std::optional<IndexedScale> scale = {};  ///< none where steps are of time
     std::optional<Place> kinks = {};         ///< the key, where kinks of H end steps
     std::optional<ValueTable> initial;

@@ -368,6 +368,27 @@ void SceneReader::read_invariants(Scene& scene) const {
     for (const TomlEntry& entry : in_order(*table)) add_invariant(scene, entry);
 }
 
+/// Reads `A = "p^2/2"`, `B = "-cos(q)"`.
+std::optional<IndexedSplit> SceneReader::split() const {
+    constexpr std::size_t most_parts = 64;
+    const toml::table* table = section("split", "A = \"p^2/2\"");
+    if (table == nullptr) return {};
+    check_absent("lagrangian", "split", "stands beside", "parts are of a Hamiltonian");
+    IndexedSplit split{{}, file_.place(*table)};
+    for (const auto& [key, node] : in_order(*table)) {
+        const std::string name(key->str());
+        const Place place = file_.place(key->source());
+        if (name == "coordinates")
+            throw InputError("`coordinates` is to come", place, "it is planned, and not built yet");
+        check_parameter_name(name, place, "a part");
+        split.parts.push_back(named(name, *node));
+    }
+    if (split.parts.empty() || split.parts.size() > most_parts)
+        throw InputError(fmt::format("a splitting has from 1 to {} parts", most_parts),
+                         split.place, "write parts of H, as A = \"p^2/2\" and B = \"-cos(q)\"");
+    return split;
+}
+
 std::vector<IndexedField> SceneReader::fields() const {
     std::vector<IndexedField> list;
     const toml::table* table = section("symmetries", "turn = {x = \"-y\", y = \"x\"}");
@@ -408,7 +429,7 @@ IndexedRun SceneReader::run() const {
 /// Throws InputError for keys that are not supported yet.
 void SceneReader::refuse_to_come() const {
     for (const std::string_view key :
-         {"split", "boundary", "guess", "ode", "state", "control", "cost", "end_cost"}) {
+         {"boundary", "guess", "ode", "state", "control", "cost", "end_cost"}) {
         const auto entry = file_.table().find(key);
         if (entry == file_.table().end()) continue;
         const bool is_section = entry->second.is_table();
@@ -423,7 +444,7 @@ Scene SceneReader::read() {
     file_.check_keys(file_.table(), "scene",
                      {"name", "description", "coordinates", "momenta", "velocities", "rotations",
                       "angular_momenta", "hamiltonian", "lagrangian", "parameters", "functions",
-                      "definitions", "invariants", "symmetries", "events", "time", "initial",
+                      "definitions", "invariants", "symmetries", "events", "split", "time", "initial",
                       "exact", "run"});
     Scene scene;
     scene.name = file_.name();
@@ -438,6 +459,7 @@ Scene SceneReader::read() {
     read_invariants(scene);
     scene.fields = fields();
     scene.events = events();
+    scene.split = split();
     read_time(scene);
     static_cast<void>(required("initial", "a section [initial] with lines such as x = 0"));
     scene.initial = values(*section("initial", "x = 0"));

@@ -89,6 +89,11 @@ NameSet structural_names(const Scene& scene) {
         insert_structural(invariant.expression.written, {}, names);
     }
     for (const IndexedField& field : scene.fields) { insert_structural(field.components, names); }
+    if (scene.split) {
+        for (const NamedIndexed& part : scene.split->parts) {
+            insert_structural(part.expression.written, {}, names);
+        }
+    }
     if (scene.initial) { insert_structural(*scene.initial, names); }
     if (scene.exact) { insert_structural(*scene.exact, names); }
     return names;

@@ -27,6 +27,7 @@ private:
     void set_mechanics(WrittenOutScene& scene, const VariableNames& names);
     void fix_parameters(WrittenOutScene& scene) const;
     [[nodiscard]] std::vector<NamedExpression> invariants();
+    [[nodiscard]] SceneSplit split(const IndexedSplit& written);
     [[nodiscard]] std::vector<VectorField> fields();
     [[nodiscard]] VectorField field(const IndexedField& written);
     void check_component(const NamedExpression& component, const Place& place) const;
@@ -78,6 +79,14 @@ std::vector<NamedExpression> SceneUnrolling::invariants() {
         list.push_back(words_.expression(invariant.name, invariant.expression, invariant_rules));
     }
     return list;
+}
+
+SceneSplit SceneUnrolling::split(const IndexedSplit& written) {
+    SceneSplit split{{}, written.place};
+    for (const NamedIndexed& part : written.parts) {
+        split.parts.push_back(words_.expression(part.name, part.expression, part_rules));
+    }
+    return split;
 }
 
 /// Throws InputError where a component of a field does not belong to a coordinate, or is not a
@@ -196,6 +205,7 @@ WrittenOutScene SceneUnrolling::operator()() {
     scene.fields = fields();
     for (const IndexedEvent& each : written_.events) { scene.events.push_back(event(each)); }
     for (SceneEvent& each : kinks(scene)) { scene.events.push_back(std::move(each)); }
+    if (written_.split) { scene.split = split(*written_.split); }
     if (written_.scale) { scene.scale = scale(*written_.scale); }
     if (written_.initial) {
         scene.initial = values(*written_.initial, words_, variables_, initial_rules);

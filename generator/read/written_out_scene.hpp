@@ -51,6 +51,12 @@ struct SceneScale {
     Place place;                 ///< the place of the key
 };
 
+/// Parts of H: see IndexedSplit.
+struct SceneSplit {
+    std::vector<NamedExpression> parts;
+    Place place;
+};
+
 /// A scene without indices, with its words checked: every symbol is a variable, a parameter, pi, e,
 /// or, in H, L and [exact], the time t; names are free and differ. Its variables are coordinates
 /// and the momenta of a Hamiltonian, or the velocities of a Lagrangian.
@@ -63,6 +69,7 @@ struct WrittenOutScene {
     std::set<std::string> approximate;     ///< invariants that are said to be nearly conserved
     std::vector<VectorField> fields;       ///< fields of [symmetries], in the order of the file
     std::vector<SceneEvent> events;        ///< in the order of the file; then kinks of H
+    std::optional<SceneSplit> split;
     std::optional<SceneScale> scale;       ///< present until H is replaced by the H of scaled time
     std::optional<ScaledTime> scaled;      ///< present from then on
     std::vector<NamedExpression> initial;  ///< coordinates first, then the other variables

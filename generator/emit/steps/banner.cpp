@@ -34,7 +34,20 @@ void list(Writer& writer, std::string_view letter, const NumberMatrix& values) {
 constexpr std::string_view paper =
     "in Leok & Zhang, Discrete Hamiltonian variational integrators, exactly:";
 
+/// Returns the flows of a step in their order.
+std::string numbers_of_flows(const FlowStep& form) {
+    Writer writer(0);
+    writer.comment("The flows of a step, over these fractions of h, exactly:").line("//");
+    for (const auto& [part, fraction] : form.moves) {
+        writer.comment(fmt::format("part {}: {}", part + 1,
+                                   exact_text(form.fractions[part][fraction])),
+                       "//     ", 4);
+    }
+    return writer.str();
+}
+
 std::string numbers_text(const Tableau& tableau, const Step& step) {
+    if (const auto* flows = std::get_if<FlowStep>(&step.form)) { return numbers_of_flows(*flows); }
     Writer writer(0);
     writer.comment(fmt::format("The tableau of (4.18) {}", paper)).line("//");
     list(writer, "c", tableau.c);
@@ -83,6 +96,9 @@ std::string_view conserved_text(const Step& step) {
     if (std::holds_alternative<ChartStep>(step.form)) {
         return "In natural charts, which conserves momentum maps of rotations of space.";
     }
+    if (std::holds_alternative<FlowStep>(step.form)) {
+        return "Flows of parts of H in turn, which conserve what all parts conserve.";
+    }
     switch (step.partner) {
     case Partner::same:
         return "A == A~: a Runge-Kutta method, which conserves all quadratic invariants.";
@@ -117,6 +133,7 @@ std::string_view functions_of(const Step& step) {
     const auto* galerkin = std::get_if<GalerkinStep>(&step.form);
     if (galerkin != nullptr && galerkin->side == Side::lagrangian) { return "Lagrangians"; }
     if (std::holds_alternative<ChartStep>(step.form)) { return "Hamiltonians of rotating bodies"; }
+    if (std::holds_alternative<FlowStep>(step.form)) { return "sums of parts with exact flows"; }
     return step.is_separable() ? "separable Hamiltonians" : "general Hamiltonians";
 }
 

@@ -59,6 +59,11 @@ EnsembleParts ensemble_parts(const Step&, const ChartStep&, std::size_t) {
     return {};
 }
 
+EnsembleParts ensemble_parts(const Step&, const FlowStep&, std::size_t) {
+    HVI_CHECK(false);
+    return {};
+}
+
 EnsembleParts ensemble_parts(const Step&, const GalerkinStep&, std::size_t) {
     HVI_CHECK(false);
     return {};

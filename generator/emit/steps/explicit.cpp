@@ -1,14 +1,13 @@
 // Headers of methods that solve nothing.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <algorithm>
-#include <sstream>
 
 #include "generator/emit/steps/along.hpp"
 #include "generator/emit/steps/clock.hpp"
+#include "generator/emit/steps/copies.hpp"
 #include "generator/emit/steps/explicit_moves.hpp"
 #include "generator/emit/steps/header.hpp"
 #include "generator/emit/steps/system_part.hpp"
-#include "generator/emit/text/embedded.hpp"
 #include "generator/ir/equal.hpp"
 #include "generator/support/error.hpp"
 
@@ -174,20 +173,6 @@ std::string fits_text(const Step& step, const ExplicitParts& parts) {
     return writer.str();
 }
 
-/// A header of the runtime as part of this one, which then has what that includes of hvi. What its
-/// doc comments tell users under a heading, `/// # Use`, with an example, stays in the runtime.
-std::string copy_of(std::string_view name) {
-    std::string text;
-    std::istringstream file{std::string(embedded_template(fmt::format("hvi/{}.hpp", name)))};
-    bool is_for_users = false;
-    for (std::string line; std::getline(file, line);) {
-        is_for_users = line.rfind(is_for_users ? "///" : "/// # ", 0) == 0;
-        const bool is_included = line.rfind("#include <hvi/", 0) == 0;
-        if (!is_for_users && !is_included) { text += line + '\n'; }
-    }
-    return text;
-}
-
 /// The headers of the runtime that the stepper is made of, as one text.
 std::string support(const Step& step, const ExplicitParts& parts, const EmitOptions& options,
                     bool with_rounded) {
@@ -212,9 +197,7 @@ std::string support(const Step& step, const ExplicitParts& parts, const EmitOpti
     }
     add(clock);
     add(parts.runtime);
-    std::string text;
-    for (const std::string& name : names) { text += (text.empty() ? "" : "\n") + copy_of(name); }
-    return text;
+    return copies_of(names);
 }
 
 std::string members_text(const Step& step, const ExplicitParts& parts) {

@@ -16,6 +16,8 @@ namespace hvi::gen {
 [[nodiscard]] std::string emit_one(const OneStepMethod& method, const Step& step,
                                    const ExplicitStep& form, const EmitOptions& options);
 [[nodiscard]] std::string emit_one(const OneStepMethod& method, const Step& step,
+                                   const FlowStep& form, const EmitOptions& options);
+[[nodiscard]] std::string emit_one(const OneStepMethod& method, const Step& step,
                                    const TabulatedStep& form, const EmitOptions& options);
 [[nodiscard]] std::string emit_one(const OneStepMethod& method, const Step& step,
                                    const PairStep& form, const EmitOptions& options);

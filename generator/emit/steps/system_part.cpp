@@ -15,7 +15,8 @@ namespace {
 
 /// `constexpr` for steps without a solver, which the compiler may compute.
 std::string_view constant_if_explicit(const Step& step) {
-    return step.is_explicit() ? "constexpr " : "";
+    const bool has_flows = std::holds_alternative<FlowStep>(step.form);
+    return step.is_explicit() && !has_flows ? "constexpr " : "";
 }
 
 // ---- a class of the user ----
@@ -217,8 +218,9 @@ std::string constructors_for_scene(const Step& step, const EmitOptions& options,
     } else if (!step.from_parameter) {
         writer.line("{0}{1}() : {1}(Parameters{{}}) {{}}", constant, class_name);
         about_threads();
-        writer.line("{}explicit {}(const Parameters& parameters{}) : system_({}) {{}}", constant,
-                    class_name, threads, system);
+        const bool has_flows = std::holds_alternative<FlowStep>(step.form);
+        writer.line("{}explicit {}(const Parameters& parameters{}) : system_({}){} {{}}", constant,
+                    class_name, threads, system, has_flows ? ", parameters_(parameters)" : "");
     } else {
         const bool is_of_scene = shares_parameter(step, *options.system);
         const std::string parameter =

@@ -49,7 +49,7 @@ public:
         if (evaluations_ == nullptr) { add_sizes(); }
         if (std::holds_alternative<TabulatedStep>(step_.form)) {
             add_quadratic();
-        } else {
+        } else if (!std::holds_alternative<FlowStep>(step_.form)) {
             add_gradients();
             add_inverse_mass();
             add_kick_of_stage();

@@ -5,6 +5,7 @@
 #include <functional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "generator/emit/system/kernel_code.hpp"
@@ -23,6 +24,9 @@ enum class Constants { are_numbers, are_of_template, are_of_device };
 class ClassNames {
 public:
     ClassNames(const System& system, Constants constants);
+
+    /// Gives an input of the constructor a name.
+    void add_input(Node node, std::string name) { inputs_[node] = std::move(name); }
 
     /// Returns the names of all values that a kernel is given; `locals` has the names of variables.
     /// Names values that have no name yet.

@@ -5,6 +5,7 @@
 
 #include "generator/exact/methods/galerkin_form.hpp"
 #include "generator/exact/methods/properties.hpp"
+#include "generator/exact/numbers/decimal_number.hpp"
 #include "generator/read/nearest.hpp"
 
 namespace hvi::gen {
@@ -91,28 +92,12 @@ const std::vector<Entry>& entries() {
     return all;
 }
 
-/// Returns the exact value of a decimal. Precondition: as `-1.25`.
-Number decimal(std::string_view text) {
-    const bool is_negative = text.front() == '-';
-    Number digits(0), unit(1);
-    bool is_fraction = false;
-    for (const char c : text.substr(is_negative ? 1 : 0)) {
-        if (c == '.') {
-            is_fraction = true;
-            continue;
-        }
-        digits = digits * Number(10) + Number(c - '0');
-        if (is_fraction) { unit = unit * Number(10); }
-    }
-    return (is_negative ? -digits : digits) / unit;
-}
-
 /// Returns all steps. Those that are not written down make the sum 1, exactly.
 NumberVector steps(const Entry& entry) {
     NumberVector half;
     Number sum(0);
     for (const std::string_view text : entry.first) {
-        half.push_back(decimal(text));
+        half.push_back(decimal_number(text));
         sum = sum + half.back();
     }
     NumberVector all = half;

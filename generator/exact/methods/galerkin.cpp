@@ -7,6 +7,7 @@
 #include "generator/exact/methods/galerkin_rule.hpp"
 #include "generator/exact/methods/ingredients.hpp"
 #include "generator/exact/methods/interpolation.hpp"
+#include "generator/exact/methods/splitting.hpp"
 #include "generator/exact/numbers/budget.hpp"
 #include "generator/exact/numbers/rational.hpp"
 #include "generator/support/progress.hpp"
@@ -247,6 +248,7 @@ Tableau derive(const Method& method) {
 }
 
 AnyDerivation derive_any_on(const Ground& ground, const Method& method) {
+    if (!method.splitting.empty()) { return {splitting_tableau(ground, method), ground}; }
     const Progress::Stage stage("reading nodes and basis exactly");
     const Ingredients given = ingredients(method, ground);
     check_counts(method, given);

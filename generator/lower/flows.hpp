@@ -1,0 +1,38 @@
+// Flows of Hamiltonians that are known in closed form.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "generator/ir/part.hpp"
+#include "generator/ir/system.hpp"
+
+namespace hvi::gen {
+
+/// A flow, in words and as changes of variables, by their order.
+struct Flow {
+    std::string kind;
+    std::vector<Moved> moved;
+};
+
+/// The reason why no flow was found.
+struct NoFlow {
+    std::string reason;
+};
+
+/// Finds the flow of a function of the variables over a time, an input of the graph. The function
+/// falls apart where degrees of freedom do not couple; each of these parts is one of
+///
+/// - a function of variables that it does not move: kicks, drifts, torques, which are shears;
+/// - a quadratic form of one degree of freedom: a rotation, or hyperbolic, as three shears;
+/// - a function f(Q) of such a form: the flow of Q with the speed f'(Q), as Q is conserved;
+/// - a function of one component of the angular momentum of a body: a turn about its axis.
+///
+/// Shears are symplectic however their coefficients are rounded. Each property is proved by exact
+/// algebra. Precondition: the system is written out, and H does not depend on the time.
+[[nodiscard]] std::variant<Flow, NoFlow> flow_of(System& system, const Scaled& function,
+                                                 Node duration);
+
+}  // namespace hvi::gen

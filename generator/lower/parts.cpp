@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/lower/parts.hpp"
+
+#include <fmt/format.h>
+
+#include <set>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "generator/graph/written.hpp"
+#include "generator/lower/constancy.hpp"
+#include "generator/lower/flows.hpp"
+#include "generator/lower/lower.hpp"
+#include "generator/lower/taken_names.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+/// Returns the values of all words in the expressions of a scene.
+Symbols symbols_of(System& system, const WrittenOutScene& scene) {
+    Symbols symbols;
+    for (const Parameter& parameter : scene.parameters) {
+        symbols[parameter.name] =
+            lower(system.graph, parameter.value, {}, parameter.place.source);
+    }
+    for (Node node = 0; node < system.graph.size(); ++node) {
+        const Computation& computation = system.graph.at(node);
+        if (computation.operation == Operation::input) {
+            symbols[computation.name] = {{1, 1}, node};
+        }
+    }
+    return symbols;
+}
+
+/// Adds the terms of a value times a factor that does not vary.
+void add_terms(Graph& graph, const Scaled& value, const Scaled& factor,
+               std::vector<Scaled>& terms) {
+    const Computation computation = graph.at(value.node);  // a copy, since the graph grows
+    const Scaled scaled = graph.times(value.factor, factor);
+    if (computation.operation == Operation::sum) {
+        for (const Scaled& term : computation.terms) { add_terms(graph, term, scaled, terms); }
+        return;
+    }
+    if (computation.operation == Operation::product) {
+        const Scaled a{{1, 1}, computation.arguments[0]}, b{{1, 1}, computation.arguments[1]};
+        const bool is_fixed_a = !varies(graph.at(a.node).roles);
+        const bool is_fixed_b = !varies(graph.at(b.node).roles);
+        if (is_fixed_a != is_fixed_b) {
+            return add_terms(graph, is_fixed_a ? b : a,
+                             graph.product(scaled, is_fixed_a ? a : b), terms);
+        }
+    }
+    terms.push_back(graph.product(scaled, {{1, 1}, value.node}));
+}
+
+/// Returns the expression; empty text is a long one.
+Expression expression_of(const Graph& graph, const Scaled& value) {
+    return written(graph, value).value_or(Expression::symbol("..."));
+}
+
+class PartsOfSystem {
+public:
+    PartsOfSystem(System system, const WrittenOutScene& scene)
+        : system_(std::move(system)), scene_(scene) {
+        std::set<std::string> taken = taken_names(system_);
+        parts_.duration =
+            system_.graph.input(new_name("tau", taken), Role::parameter).node;
+    }
+
+    [[nodiscard]] System operator()() && {
+        if (scene_.split) {
+            read_parts(*scene_.split);
+        } else {
+            find_parts();
+        }
+        system_.parts = std::move(parts_);
+        return std::move(system_);
+    }
+
+private:
+    /// Adds the parts that the scene names.
+    void read_parts(const SceneSplit& split) {
+        const Symbols symbols = symbols_of(system_, scene_);
+        std::vector<Scaled> rest{function_of(system_)};
+        for (const NamedExpression& part : split.parts) {
+            const Scaled value =
+                lower(system_.graph, part.expression, symbols, part.place.source);
+            rest.push_back(system_.graph.times({-1, 1}, value));
+            auto flow = flow_of(system_, value, parts_.duration);
+            if (const auto* none = std::get_if<NoFlow>(&flow)) {
+                throw MathError(fmt::format("the flow of `{}` is not known: {}", part.name,
+                                            none->reason),
+                                part.place, help_for_flows);
+            }
+            add(part.name, part.expression, std::get<Flow>(std::move(flow)));
+        }
+        check_sum(system_.graph.sum(std::move(rest)), split.place);
+    }
+
+    void check_sum(const Scaled& rest, const Place& place) {
+        const auto constant = constant_value(system_.graph, rest);
+        if (constant && constant->is_zero()) { return; }
+        const auto difference = written(system_.graph, rest);
+        throw InputError("the parts do not add up to the Hamiltonian", place,
+                         difference ? fmt::format("H minus their sum is {}", to_text(*difference))
+                                    : "their sum has to be H");
+    }
+
+    /// Adds parts that are found among the terms of H.
+    void find_parts() {
+        std::vector<Scaled> terms, sums;
+        add_terms(system_.graph, function_of(system_), Graph::number(1), terms);
+        std::vector<Flow> flows;
+        for (const Scaled& term : terms) {
+            if (!varies(system_.graph.at(term.node).roles)) { continue; }
+            std::size_t k = 0;
+            for (; k < sums.size(); ++k) {
+                const Scaled sum = system_.graph.sum({sums[k], term});
+                auto flow = flow_of(system_, sum, parts_.duration);
+                if (std::holds_alternative<NoFlow>(flow)) { continue; }
+                sums[k] = sum;
+                flows[k] = std::get<Flow>(std::move(flow));
+                break;
+            }
+            if (k < sums.size()) { continue; }
+            sums.push_back(term);
+            flows.push_back(flow_of_term(term));
+        }
+        for (std::size_t k = 0; k < sums.size(); ++k) {
+            add(name_of(k), expression_of(system_.graph, sums[k]), std::move(flows[k]));
+        }
+    }
+
+    [[nodiscard]] Flow flow_of_term(const Scaled& term) {
+        auto flow = flow_of(system_, term, parts_.duration);
+        if (auto* known = std::get_if<Flow>(&flow)) { return std::move(*known); }
+        const std::string text = to_text(expression_of(system_.graph, term));
+        throw MathError(fmt::format("no splitting of this H is found: the flow of {} is not known",
+                                    text),
+                        whole(function_of(scene_).source),
+                        "name parts in a section [split], or take an implicit method: gauss:2");
+    }
+
+    /// Returns A, B, ..., Z, then P27, P28, ...
+    [[nodiscard]] static std::string name_of(std::size_t k) {
+        constexpr std::size_t letters = 26;
+        return k < letters ? std::string(1, static_cast<char>('A' + k))
+                           : fmt::format("P{}", k + 1);
+    }
+
+    void add(std::string name, Expression expression, Flow flow) {
+        parts_.parts.push_back({std::move(name), std::move(expression), std::move(flow.kind),
+                                std::move(flow.moved)});
+    }
+
+    static constexpr const char* help_for_flows =
+        "known are functions of variables that they do not move, quadratic forms of one degree of "
+        "freedom and functions of them, and functions of one component of an angular momentum";
+
+    System system_;
+    const WrittenOutScene& scene_;
+    HamiltonianParts parts_;
+};
+
+}  // namespace
+
+System with_parts(System system, const WrittenOutScene& scene) {
+    return PartsOfSystem(std::move(system), scene)();
+}
+
+}  // namespace hvi::gen
