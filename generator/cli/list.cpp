@@ -7,7 +7,9 @@
 #include <vector>
 
 #include "generator/cli/commands.hpp"
+#include "generator/cli/method.hpp"
 #include "generator/expr/functions.hpp"
+#include "generator/pipeline/split.hpp"
 #include "generator/read/catalogue.hpp"
 #include "generator/read/written_out_scene.hpp"
 
@@ -125,6 +127,28 @@ std::string function_table() {
            table("Functions: in H and in numbers; all but atan2 have kinks", others);
 }
 
+/// Returns what is told of the parts of a scene's H, and of their flows.
+std::string split_table(const SystemOptions& system) {
+    const Scene scene = read_scene_alone({}, system);
+    const System split = in_parts(lowered(scene, {Unroll::yes, "list splits"}));
+    Rows rows;
+    for (const HamiltonianPart& part : split.parts->parts)
+        rows.push_back({part.name, part.flow, to_text(part.expression)});
+    const bool is_named = std::holds_alternative<IndexedSplit>(scene.split);
+    const std::size_t flows = 2 * rows.size() - 1;
+    std::string text =
+        table(fmt::format("Parts of H of {}, {}: their flows are exact", title(scene),
+                          is_named ? "as [split] names them" : "as found among its terms"),
+              rows);
+    text += fmt::format("strang takes {} flow{} a step, as in hvi-gen run --method strang {}\n",
+                        flows, flows == 1 ? "" : "s", scene.origin);
+    const bool is_kicked = is_separable(split) && rotations_of(split) == 0;
+    if (is_kicked && !is_named)
+        text +=
+            "H is T(p) + U(q): without --split auto splittings step these by drifts and kicks\n";
+    return text;
+}
+
 }  // namespace
 
 void run(const ListOptions& options) {
@@ -135,6 +159,7 @@ void run(const ListOptions& options) {
         case Topic::methods: return methods();
         case Topic::scenes: return scene_table();
         case Topic::functions: return function_table();
+        case Topic::splits: return split_table(options.system.value());
         case Topic::all: break;
         }
         return bases() + "\n" + nodes() + "\n" + methods() + "\n" + scene_table() + "\n" +

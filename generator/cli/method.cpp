@@ -54,7 +54,15 @@ namespace {
 
 /// Reads a scene with the values of sizes and of other parameters that are given.
 Scene scene_in(const SystemOptions& system, const std::vector<Parameter>& values) {
-    if (system.scene) return find_scene(system.scene, values);
+    if (system.scene) {
+        Scene scene = find_scene(system.scene, values);
+        if (system.split) {
+            scene.split = *system.split;
+            scene.origin += *system.split == SplitChoice::automatic ? " --split auto"
+                                                                    : " --split none";
+        }
+        return scene;
+    }
     return scene_from_hamiltonian(system.hamiltonian, system.coordinates, system.momenta, values);
 }
 

@@ -51,6 +51,7 @@ std::optional<SystemOptions> system_options(const Words& words) {
     system.hamiltonian = words.value("--hamiltonian");
     system.coordinates = words.value("--coordinates");
     system.momenta = words.value("--momenta");
+    system.split = words.choice<SplitChoice>("--split");
     if (system.scene || system.hamiltonian) return system;
     return {};
 }
@@ -351,8 +352,17 @@ Request help_request(const Words& words) {
     return parse(CommandLine(static_cast<int>(arguments.size()), arguments.data()));
 }
 
-ListOptions list_options(const Words& words) {
-    return {words.choice<Topic>("TOPIC").value_or(Topic::all)};
+ListOptions list_options(const Words& words, const CommandLine& line) {
+    ListOptions options{words.choice<Topic>("TOPIC").value_or(Topic::all), {}};
+    if (const Given scene = words.value("SCENE")) options.system = SystemOptions{.scene = scene};
+    const bool takes_scene = options.topic == Topic::splits;
+    if (takes_scene && !options.system)
+        throw InputError("no scene is given", line.end(),
+                         "for example `hvi-gen list splits heavy-top`");
+    if (options.system && !takes_scene)
+        throw InputError("this topic takes no scene", whole(options.system->scene),
+                         "`hvi-gen list splits SCENE` lists parts of its H with known flows");
+    return options;
 }
 
 CompletionsOptions completions_options(const Words& words, const CommandLine& line) {
@@ -396,7 +406,7 @@ Request request(const CLI::App& parsed, const CommandLine& line) {
     case Command::report: return report_options(words, line);
     case Command::symmetries: return symmetries_options(words, line);
     case Command::show: return show_options(words, line);
-    case Command::list: return list_options(words);
+    case Command::list: return list_options(words, line);
     case Command::cache: return CacheOptions{words.has("--clear")};
     case Command::completions: return completions_options(words, line);
     case Command::manual: return ManualOptions{output_option(words)};

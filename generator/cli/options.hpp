@@ -36,6 +36,7 @@ struct SystemOptions {
     Given scene;  ///< a scene's name, or a file
     Given hamiltonian, coordinates, momenta;
     UnrollWish sums = {};  ///< the choice for sums of a scene
+    std::optional<SplitChoice> split = {};  ///< parts of H in place of those of the scene
 };
 
 struct CheckOptions {
@@ -180,6 +181,7 @@ struct ShowOptions {
 
 struct ListOptions {
     Topic topic = Topic::all;
+    std::optional<SystemOptions> system;  ///< the scene of Topic::splits
 };
 
 /// The request about compiled programs in the cache.

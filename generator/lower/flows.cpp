@@ -71,7 +71,9 @@ private:
         }
     }
 
-    [[nodiscard]] bool is_body(const Freedom& freedom) const { return freedom.positions.size() > 1; }
+    [[nodiscard]] bool is_body(const Freedom& freedom) const {
+        return freedom.positions.size() > 1;
+    }
 
     [[nodiscard]] std::vector<Scaled> slopes_of(const Freedom& freedom) const {
         std::vector<Scaled> slopes;
@@ -183,8 +185,7 @@ private:
             const Freedom& freedom = freedoms_[k];
             for (std::size_t a = 0; a < freedom.degrees.size(); ++a) {
                 const Scaled slope = by_q_[freedom.degrees[a]];
-                add(true, freedom.momenta[a],
-                    graph_.times({-1, 1}, graph_.product(tau_, slope)));
+                add(true, freedom.momenta[a], graph_.times({-1, 1}, graph_.product(tau_, slope)));
             }
             if (is_body(freedom)) continue;
             const std::size_t k_q = freedom.positions.front();
@@ -193,10 +194,10 @@ private:
         return true;
     }
 
-    /// Adds a turn about an axis k of a body. With w = dH/dL_k it is L_i' = w L_j, L_j' = -w L_i for
-    /// i, j, k in turn, and the columns i and j of R alike, since R' = R hat(w e_k). NOTE: what the
-    /// shears do to R is the inverse of what they do to L, so that R L keeps its value however they
-    /// are rounded.
+    /// Adds a turn about an axis k of a body. With w = dH/dL_k it is L_i' = w L_j, L_j' = -w L_i
+    /// for i, j, k in turn, and the columns i and j of R alike, since R' = R hat(w e_k). NOTE: what
+    /// the shears do to R is the inverse of what they do to L, so that R L keeps its value however
+    /// they are rounded.
     bool add_turn(const Freedom& body) {
         std::optional<std::size_t> axis;
         for (std::size_t a = 0; a < 3; ++a) {
@@ -282,8 +283,7 @@ private:
         const Scaled q = input(q_[k]), p = input(p_[k]);
         const Scaled upright = graph_.sum({p, graph_.product(slant, q)});
         const Scaled left = difference(a, graph_.product(slant, c));
-        const PlaneChange change =
-            sheared(graph_, upright, q, oscillation(graph_, left, b, time));
+        const PlaneChange change = sheared(graph_, upright, q, oscillation(graph_, left, b, time));
         add(false, k, change.y);
         add(true, k, difference(change.x, graph_.product(slant, change.y)));
         return true;
@@ -296,8 +296,8 @@ private:
         const Node q = q_[k], p = p_[k];
         for (const Form& form : candidates(q, p)) {
             const auto [by_q, by_p] = slopes(form, q, p);
-            const Scaled bracket = difference(graph_.product(slope_by_q_, by_p),
-                                              graph_.product(slope_by_p_, by_q));
+            const Scaled bracket =
+                difference(graph_.product(slope_by_q_, by_p), graph_.product(slope_by_p_, by_q));
             if (form.b.is_zero() || !is_zero(bracket)) continue;
             const auto speed = speed_of(form, q, p);
             if (speed && add_oscillation(k, form, graph_.product(tau_, *speed))) return true;

@@ -23,8 +23,7 @@ namespace {
 Symbols symbols_of(System& system, const WrittenOutScene& scene) {
     Symbols symbols;
     for (const Parameter& parameter : scene.parameters) {
-        symbols[parameter.name] =
-            lower(system.graph, parameter.value, {}, parameter.place.source);
+        symbols[parameter.name] = lower(system.graph, parameter.value, {}, parameter.place.source);
     }
     for (Node node = 0; node < system.graph.size(); ++node) {
         const Computation& computation = system.graph.at(node);
@@ -49,8 +48,8 @@ void add_terms(Graph& graph, const Scaled& value, const Scaled& factor,
         const bool is_fixed_a = !varies(graph.at(a.node).roles);
         const bool is_fixed_b = !varies(graph.at(b.node).roles);
         if (is_fixed_a != is_fixed_b) {
-            return add_terms(graph, is_fixed_a ? b : a,
-                             graph.product(scaled, is_fixed_a ? a : b), terms);
+            return add_terms(graph, is_fixed_a ? b : a, graph.product(scaled, is_fixed_a ? a : b),
+                             terms);
         }
     }
     terms.push_back(graph.product(scaled, {{1, 1}, value.node}));
@@ -66,8 +65,7 @@ public:
     PartsOfSystem(System system, const WrittenOutScene& scene)
         : system_(std::move(system)), scene_(scene) {
         std::set<std::string> taken = taken_names(system_);
-        parts_.duration =
-            system_.graph.input(new_name("tau", taken), Role::parameter).node;
+        parts_.duration = system_.graph.input(new_name("tau", taken), Role::parameter).node;
     }
 
     [[nodiscard]] System operator()() && {
@@ -86,14 +84,13 @@ private:
         const Symbols symbols = symbols_of(system_, scene_);
         std::vector<Scaled> rest{function_of(system_)};
         for (const NamedExpression& part : split.parts) {
-            const Scaled value =
-                lower(system_.graph, part.expression, symbols, part.place.source);
+            const Scaled value = lower(system_.graph, part.expression, symbols, part.place.source);
             rest.push_back(system_.graph.times({-1, 1}, value));
             auto flow = flow_of(system_, value, parts_.duration);
             if (const auto* none = std::get_if<NoFlow>(&flow)) {
-                throw MathError(fmt::format("the flow of `{}` is not known: {}", part.name,
-                                            none->reason),
-                                part.place, help_for_flows);
+                throw MathError(
+                    fmt::format("the flow of `{}` is not known: {}", part.name, none->reason),
+                    part.place, help_for_flows);
             }
             add(part.name, part.expression, std::get<Flow>(std::move(flow)));
         }
@@ -138,22 +135,21 @@ private:
         auto flow = flow_of(system_, term, parts_.duration);
         if (auto* known = std::get_if<Flow>(&flow)) { return std::move(*known); }
         const std::string text = to_text(expression_of(system_.graph, term));
-        throw MathError(fmt::format("no splitting of this H is found: the flow of {} is not known",
-                                    text),
-                        whole(function_of(scene_).source),
-                        "name parts in a section [split], or take an implicit method: gauss:2");
+        throw MathError(
+            fmt::format("no splitting of this H is found: the flow of {} is not known", text),
+            whole(function_of(scene_).source),
+            "name parts in a section [split], or take an implicit method: gauss:2");
     }
 
     /// Returns A, B, ..., Z, then P27, P28, ...
     [[nodiscard]] static std::string name_of(std::size_t k) {
         constexpr std::size_t letters = 26;
-        return k < letters ? std::string(1, static_cast<char>('A' + k))
-                           : fmt::format("P{}", k + 1);
+        return k < letters ? std::string(1, static_cast<char>('A' + k)) : fmt::format("P{}", k + 1);
     }
 
     void add(std::string name, Expression expression, Flow flow) {
-        parts_.parts.push_back({std::move(name), std::move(expression), std::move(flow.kind),
-                                std::move(flow.moved)});
+        parts_.parts.push_back(
+            {std::move(name), std::move(expression), std::move(flow.kind), std::move(flow.moved)});
     }
 
     static constexpr const char* help_for_flows =

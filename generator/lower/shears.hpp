@@ -20,12 +20,12 @@ struct Shears {
 [[nodiscard]] PlaneChange sheared(Graph& graph, const Scaled& x, const Scaled& y,
                                   const Shears& shears);
 
-/// Returns the rotation x' = x cos + y sin, y' = y cos - x sin by an angle: a = tan(r/2), b = -sin(r)
-/// for the angle r in [-pi/2, pi/2] that is left after half a turn, which is the sign.
+/// Returns the rotation x' = x cos + y sin, y' = y cos - x sin by an angle: a = tan(r/2), b =
+/// -sin(r) for the angle r in [-pi/2, pi/2] that is left after half a turn, which is the sign.
 [[nodiscard]] Shears rotation(Graph& graph, const Scaled& angle);
 
-/// Returns the flow of (a q^2 + b p^2)/2 over a time, as shears of x = p and y = q: a rotation for a
-/// b > 0, hyperbolic for a b < 0, and a shear for a b = 0.
+/// Returns the flow of (a q^2 + b p^2)/2 over a time, as shears of x = p and y = q: a rotation for
+/// a b > 0, hyperbolic for a b < 0, and a shear for a b = 0.
 [[nodiscard]] Shears oscillation(Graph& graph, const Scaled& a, const Scaled& b,
                                  const Scaled& time);
 

@@ -11,7 +11,7 @@ enum class CertificateFormat { text, json };
 enum class EquationsFormat { text, json, latex };
 
 /// Topics of `list`.
-enum class Topic { all, bases, nodes, methods, scenes, functions };
+enum class Topic { all, bases, nodes, methods, scenes, functions, splits };
 
 /// Lyapunov exponents of a run.
 enum class Exponents { largest, spectrum };

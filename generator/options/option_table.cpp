@@ -31,7 +31,7 @@ constexpr std::array commands = {
                  State::to_come},
     CommandEntry{module, "module", "[METHOD] SCENE", "Write a stepper for C, and what calls C"},
     CommandEntry{show, "show", "SCENE", "Print the TOML of a scene"},
-    CommandEntry{list, "list", "[TOPIC]", "Print what can be named"},
+    CommandEntry{list, "list", "[TOPIC] [SCENE]", "Print what can be named"},
     CommandEntry{cache, "cache", "", "Show the compiled programs that are kept, or remove them"},
     CommandEntry{completions, "completions", "SHELL", "Print what completes words in a shell"},
     CommandEntry{manual, "manual", "", "Print the man page"},
@@ -66,6 +66,8 @@ constexpr std::array lanes_of_rows = {choice("auto", Lanes::automatic),
                                       choice("none", Lanes::none)};
 constexpr std::array unrolls = {choice("auto", Unroll::automatic), choice("yes", Unroll::yes),
                                 choice("no", Unroll::no)};
+constexpr std::array splits = {choice("auto", SplitChoice::automatic),
+                               choice("none", SplitChoice::none)};
 constexpr std::array languages = {choice("c", Language::c), choice("python", Language::python)};
 constexpr std::array table_formats = {choice("csv", TableFormat::csv),
                                       choice("npy", TableFormat::npy),
@@ -90,7 +92,8 @@ constexpr std::array report_items = {choice("html", ReportItem::html),
                                      choice("symplecticity", ReportItem::symplecticity)};
 constexpr std::array topics = {choice("bases", Topic::bases), choice("nodes", Topic::nodes),
                                choice("methods", Topic::methods), choice("scenes", Topic::scenes),
-                               choice("functions", Topic::functions)};
+                               choice("functions", Topic::functions),
+                               choice("splits", Topic::splits)};
 constexpr std::array stages = {choice("method", Stage::method), choice("tableau", Stage::tableau),
                                choice("system", Stage::system), choice("step", Stage::step)};
 constexpr std::array shells = {choice("bash", Shell::bash), choice("zsh", Shell::zsh),
@@ -142,6 +145,11 @@ constexpr std::array table = {
                 .placeholder = "TOPIC",
                 .choices = topics,
                 .help = "One of these, else all"},
+    OptionEntry{.name = "SCENE",
+                .of = {list},
+                .value = Value::scene,
+                .placeholder = "SCENE",
+                .help = "The scene whose parts are listed by `splits`"},
     OptionEntry{.name = "SHELL",
                 .of = {completions},
                 .value = Value::choice,
@@ -283,6 +291,13 @@ constexpr std::array table = {
                 .choices = unrolls,
                 .help = "Write sums out, or keep them as loops",
                 .wish = &StepperWishes::unroll},
+    OptionEntry{.name = "--split",
+                .of = {stepper, run, ensemble, module},
+                .value = Value::choice,
+                .placeholder = "SPLIT",
+                .choices = splits,
+                .help = "Parts of H for splittings: found, or T(p) and U(q)",
+                .needs = {.others = "SCENE"}},
     OptionEntry{.name = "--compose",
                 .of = {stepper, run, ensemble, module},
                 .value = Value::composition,

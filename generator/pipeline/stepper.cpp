@@ -7,10 +7,10 @@
 #include "generator/emit/text/names.hpp"
 #include "generator/exact/methods/galerkin.hpp"
 #include "generator/hamiltonian/fibre_rank.hpp"
-#include "generator/lower/parts.hpp"
 #include "generator/options/option_table.hpp"
 #include "generator/pipeline/directions.hpp"
 #include "generator/pipeline/refusals.hpp"
+#include "generator/pipeline/split.hpp"
 #include "generator/plan/plan.hpp"
 
 namespace hvi::gen {
@@ -122,31 +122,11 @@ void check_wishes(const LoweredScene& scene, const StepperWishes& wishes) {
     }
 }
 
-/// Returns the system with its parts where the method is a splitting, and steps are to be flows of
-/// parts of H: those that the scene names, or those of an H that is no sum of T(p) and U(q), which
-/// kicks and drifts step as for other explicit methods.
-std::optional<System> split_system(const Method& wished, const LoweredScene& scene,
-                                   const StepperWishes& wishes) {
-    if (wished.splitting.empty()) return {};
-    const bool has_bodies = rotations_of(scene.system) > 0;
-    const bool is_kicked = !scene.scene.split && !has_bodies && is_separable(scene.system) &&
-                           scene.system.side == Side::hamiltonian;
-    if (is_kicked) return {};
-    check_splitting(scene.system, wished, wishes, scene.place());
-    const std::size_t numbers =
-        coordinate_nodes(scene.system).size() + conjugate_nodes(scene.system).size();
-    if (numbers != variables(*scene.written).size())
-        throw InputError("directions, shadows and balances of the energy are not built for flows "
-                         "of parts of H",
-                         wished.place, "take a method that is no splitting: gauss:2");
-    return with_parts(scene.system, *scene.written);
-}
-
 /// Plans a step of a lowered scene, and collects all that its header needs.
 SceneStepper stepper_of(const Method& wished, MethodAndCurve derived, const LoweredScene& scene,
                         const StepperWishes& wishes) {
     auto& [method, curve] = derived;
-    const std::optional<System> split = split_system(wished, scene, wishes);
+    const std::optional<System> split = system_in_parts(wished, scene, wishes);
     const System& system = split ? *split : scene.system;
     if (system.scaled && system.scaled->drifts_first) method = exchanged(std::move(method));
     if (scene.written && is_overdetermined(method, system))

@@ -7,9 +7,9 @@
 
 namespace hvi::gen {
 
-/// Makes the step one of flows of so many parts. `substeps`: steps of the map of all flows one after
-/// the other, and of its adjoint, in turn; see substeps() of a splitting. Flows of one part in a row
-/// are one. Precondition: the stages, places and blocks are those of a separable H.
+/// Makes the step one of flows of so many parts. `substeps`: steps of the map of all flows one
+/// after the other, and of its adjoint, in turn; see substeps() of a splitting. Flows of one part
+/// in a row are one. Precondition: the stages, places and blocks are those of a separable H.
 void set_flows(Step& step, std::size_t parts, const NumberVector& substeps);
 
 }  // namespace hvi::gen

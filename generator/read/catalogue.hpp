@@ -31,7 +31,7 @@ struct MethodEntry {
 
 /// A splitting of H into parts.
 struct SplittingEntry {
-    std::string_view name;  ///< `saba:S` for a family
+    std::string_view name;   ///< `saba:S` for a family
     std::string_view sizes;  ///< the values of S, for people; empty for one that is no family
     std::string_view description;
     std::string_view source;  ///< who found it

@@ -101,6 +101,12 @@ struct IndexedScale {
     Place place;                   ///< the place of the key
 };
 
+/// Parts of H for splittings, where the scene names none or they are not to be those of the scene.
+enum class SplitChoice {
+    automatic,  ///< those that are found
+    none,       ///< T(p) and U(q)
+};
+
 /// The section [split]: parts of H whose sum it is.
 struct IndexedSplit {
     std::vector<NamedIndexed> parts;  ///< in the order of the file
@@ -141,7 +147,9 @@ struct Scene {
     std::set<std::string> approximate;       ///< invariants that are said to be nearly conserved
     std::vector<IndexedField> fields;        ///< fields of [symmetries]
     std::vector<IndexedEvent> events;        ///< in the order of the file
-    std::optional<IndexedSplit> split = {};  ///< none where parts are left to be found
+    /// Parts for splittings; without a word of the user they are T(p) and U(q) where H is their sum,
+    /// else those that are found.
+    std::variant<std::monostate, IndexedSplit, SplitChoice> split = {};
     std::optional<IndexedScale> scale = {};  ///< none where steps are of time
     std::optional<Place> kinks = {};         ///< the key, where kinks of H end steps
     std::optional<ValueTable> initial;

@@ -384,8 +384,8 @@ std::optional<IndexedSplit> SceneReader::split() const {
         split.parts.push_back(named(name, *node));
     }
     if (split.parts.empty() || split.parts.size() > most_parts)
-        throw InputError(fmt::format("a splitting has from 1 to {} parts", most_parts),
-                         split.place, "write parts of H, as A = \"p^2/2\" and B = \"-cos(q)\"");
+        throw InputError(fmt::format("a splitting has from 1 to {} parts", most_parts), split.place,
+                         "write parts of H, as A = \"p^2/2\" and B = \"-cos(q)\"");
     return split;
 }
 
@@ -442,10 +442,11 @@ void SceneReader::refuse_to_come() const {
 Scene SceneReader::read() {
     refuse_to_come();
     file_.check_keys(file_.table(), "scene",
-                     {"name", "description", "coordinates", "momenta", "velocities", "rotations",
-                      "angular_momenta", "hamiltonian", "lagrangian", "parameters", "functions",
-                      "definitions", "invariants", "symmetries", "events", "split", "time", "initial",
-                      "exact", "run"});
+                     {"name",       "description", "coordinates",     "momenta",
+                      "velocities", "rotations",   "angular_momenta", "hamiltonian",
+                      "lagrangian", "parameters",  "functions",       "definitions",
+                      "invariants", "symmetries",  "events",          "split",
+                      "time",       "initial",     "exact",           "run"});
     Scene scene;
     scene.name = file_.name();
     if (scene.name.empty()) scene.name = name_of_file(source_.name);
@@ -459,7 +460,7 @@ Scene SceneReader::read() {
     read_invariants(scene);
     scene.fields = fields();
     scene.events = events();
-    scene.split = split();
+    if (std::optional<IndexedSplit> parts = split()) scene.split = *std::move(parts);
     read_time(scene);
     static_cast<void>(required("initial", "a section [initial] with lines such as x = 0"));
     scene.initial = values(*section("initial", "x = 0"));

@@ -89,8 +89,8 @@ NameSet structural_names(const Scene& scene) {
         insert_structural(invariant.expression.written, {}, names);
     }
     for (const IndexedField& field : scene.fields) { insert_structural(field.components, names); }
-    if (scene.split) {
-        for (const NamedIndexed& part : scene.split->parts) {
+    if (const auto* split = std::get_if<IndexedSplit>(&scene.split)) {
+        for (const NamedIndexed& part : split->parts) {
             insert_structural(part.expression.written, {}, names);
         }
     }

@@ -205,7 +205,9 @@ WrittenOutScene SceneUnrolling::operator()() {
     scene.fields = fields();
     for (const IndexedEvent& each : written_.events) { scene.events.push_back(event(each)); }
     for (SceneEvent& each : kinks(scene)) { scene.events.push_back(std::move(each)); }
-    if (written_.split) { scene.split = split(*written_.split); }
+    if (const auto* parts = std::get_if<IndexedSplit>(&written_.split)) {
+        scene.split = split(*parts);
+    }
     if (written_.scale) { scene.scale = scale(*written_.scale); }
     if (written_.initial) {
         scene.initial = values(*written_.initial, words_, variables_, initial_rules);

@@ -39,9 +39,9 @@ std::string numbers_of_flows(const FlowStep& form) {
     Writer writer(0);
     writer.comment("The flows of a step, over these fractions of h, exactly:").line("//");
     for (const auto& [part, fraction] : form.moves) {
-        writer.comment(fmt::format("part {}: {}", part + 1,
-                                   exact_text(form.fractions[part][fraction])),
-                       "//     ", 4);
+        writer.comment(
+            fmt::format("part {}: {}", part + 1, exact_text(form.fractions[part][fraction])),
+            "//     ", 4);
     }
     return writer.str();
 }

@@ -16,7 +16,8 @@ struct StateTexts {
 };
 constexpr StateTexts in_vectors{"State", "", "x", ""};
 constexpr StateTexts in_members{"hvi::detail::ChartState<Space>",
-                                "hvi::detail::ChartState<Space> at = flat(x);", "at", "set(x, at);"};
+                                "hvi::detail::ChartState<Space> at = flat(x);", "at",
+                                "set(x, at);"};
 
 std::string fractions_text(const FlowStep& form) {
     Writer writer(1);
@@ -75,7 +76,9 @@ std::string support(const System& system, std::string_view code) {
                "#include <hvi/detail/stages/flow_sums.hpp>\n#include <hvi/detail/stepper.hpp>\n\n";
     }
     std::vector<std::string> names{"state", "detail/numbers/scalar"};
-    if (calls_math) { names.insert(names.end(), {"detail/numbers/math", "detail/numbers/more_math"}); }
+    if (calls_math) {
+        names.insert(names.end(), {"detail/numbers/math", "detail/numbers/more_math"});
+    }
     if (are_rounded(code)) { names.emplace_back("detail/coefficients/rounded"); }
     names.insert(names.end(), {"detail/stages/system", "detail/numbers/arithmetic",
                                "detail/numbers/compensated", "detail/stages/flow_sums"});

@@ -49,8 +49,8 @@ std::string flow_text(const System& system, std::size_t part, std::string_view l
                                to_text(it.expression), it.flow),
                    "/// ");
     writer.open("struct {} {{", name).line("{}() = default;", name);
-    writer.open("{}([[maybe_unused]] const Parameters& parameters, [[maybe_unused]] Scalar time) {{",
-                name);
+    writer.open(
+        "{}([[maybe_unused]] const Parameters& parameters, [[maybe_unused]] Scalar time) {{", name);
     writer.insert(setup.str()).close().blank();
     writer.insert(call);
     if (!data.str().empty()) { writer.blank().insert(data.str()); }

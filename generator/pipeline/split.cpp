@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/pipeline/split.hpp"
+
+#include <variant>
+
+#include "generator/lower/parts.hpp"
+#include "generator/pipeline/refusals.hpp"
+
+namespace hvi::gen {
+
+System in_parts(const LoweredScene& scene, const Method& method, const StepperWishes& wishes) {
+    check_splitting(scene.system, method, wishes, scene.place());
+    const std::size_t numbers =
+        coordinate_nodes(scene.system).size() + conjugate_nodes(scene.system).size();
+    if (numbers != variables(*scene.written).size())
+        throw InputError("directions, shadows and balances of the energy are not built for flows "
+                         "of parts of H",
+                         method.place, "take a method that is no splitting: gauss:2");
+    return with_parts(scene.system, *scene.written);
+}
+
+std::optional<System> system_in_parts(const Method& method, const LoweredScene& scene,
+                                      const StepperWishes& wishes) {
+    if (method.splitting.empty()) return {};
+    const System& system = scene.system;
+    const bool is_kicked =
+        system.side == Side::hamiltonian && is_separable(system) && rotations_of(system) == 0;
+    const auto* choice = std::get_if<SplitChoice>(&scene.scene.split);
+    const bool wants_kicks = choice != nullptr && *choice == SplitChoice::none;
+    if (is_kicked && (wants_kicks || std::holds_alternative<std::monostate>(scene.scene.split)))
+        return {};
+    if (wants_kicks)
+        throw InputError("--split none steps H = T(p) + U(q), and this H is no such sum",
+                         method.place, "without it parts of H are found, or those of [split]");
+    return in_parts(scene, method, wishes);
+}
+
+}  // namespace hvi::gen

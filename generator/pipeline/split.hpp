@@ -1,0 +1,24 @@
+// H as a sum of parts, for splittings.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <optional>
+
+#include "generator/options/wishes.hpp"
+#include "generator/pipeline/lowered.hpp"
+
+namespace hvi::gen {
+
+/// Returns the system with the parts that the scene names, or those that are found. Throws
+/// InputError and MathError for an H without known parts, for parts that are not H, and as
+/// check_splitting() does.
+[[nodiscard]] System in_parts(const LoweredScene& scene, const Method& method = {},
+                              const StepperWishes& wishes = {});
+
+/// Returns the system with its parts where the method is a splitting whose steps are to be flows of
+/// these; nothing where steps are kicks and drifts of T(p) and U(q), as for other explicit methods:
+/// see Scene::split. Throws as in_parts() does.
+[[nodiscard]] std::optional<System> system_in_parts(const Method& method, const LoweredScene& scene,
+                                                    const StepperWishes& wishes);
+
+}  // namespace hvi::gen
