@@ -216,7 +216,8 @@ private:
         const PlaneChange of_L = sheared(graph_, input(p_[L_i]), input(p_[L_j]), shears);
         add(true, L_i, of_L.x);
         add(true, L_j, of_L.y);
-        const Shears inverse{graph_.times({-1, 1}, shears.a), graph_.times({-1, 1}, shears.b),
+        const auto back = [&](const Scaled& shear) { return graph_.times({-1, 1}, shear); };
+        const Shears inverse{back(shears.first), back(shears.middle), back(shears.last),
                              shears.sign};
         for (std::size_t row = 0; row < 3; ++row) {
             const std::size_t R_i = body.positions[3 * row + i], R_j = body.positions[3 * row + j];
@@ -229,19 +230,14 @@ private:
 
     [[nodiscard]] static Scaled input(Node node) { return {{1, 1}, node}; }
 
-    /// A quadratic form (a q^2 + 2 c q p + b p^2)/2.
-    struct Form {
-        Scaled a, b, c;
-    };
-
     /// Returns the second derivatives at q = p = 0.
-    [[nodiscard]] std::optional<Form> form_at_origin(Node q, Node p) {
+    [[nodiscard]] std::optional<QuadraticForm> form_at_origin(Node q, Node p) {
         const std::vector<Scaled> by_q = gradient(graph_, slope_by_q_, {q, p});
         const std::vector<Scaled> by_p = gradient(graph_, slope_by_p_, {p});
         const auto a = at_origin(graph_, by_q[0]), c = at_origin(graph_, by_q[1]);
         const auto b = at_origin(graph_, by_p[0]);
         if (!a || !b || !c) return {};
-        return Form{*a, *b, *c};
+        return QuadraticForm{*a, *b, *c};
     }
 
     bool add_quadratic(const Freedom& one) {
@@ -263,38 +259,47 @@ private:
     }
 
     /// Returns the gradient of the form.
-    [[nodiscard]] std::array<Scaled, 2> slopes(const Form& form, Node q, Node p) {
+    [[nodiscard]] std::array<Scaled, 2> slopes(const QuadraticForm& form, Node q, Node p) {
         const auto& [a, b, c] = form;
         return {graph_.sum({graph_.product(a, input(q)), graph_.product(c, input(p))}),
                 graph_.sum({graph_.product(c, input(q)), graph_.product(b, input(p))})};
     }
 
-    [[nodiscard]] bool is_gradient_of(const Form& form, Node q, Node p) {
+    [[nodiscard]] bool is_gradient_of(const QuadraticForm& form, Node q, Node p) {
         const auto [by_q, by_p] = slopes(form, q, p);
         return is_zero(difference(slope_by_q_, by_q)) && is_zero(difference(slope_by_p_, by_p));
     }
 
-    /// Adds the flow of a form with b != 0 over a time: with p + (c/b) q in place of p the form has
-    /// no product.
-    bool add_oscillation(std::size_t k, const Form& form, const Scaled& time) {
-        const auto& [a, b, c] = form;
-        if (b.is_zero()) return false;
-        const Scaled slant = graph_.product(c, graph_.inverse(b));
+    /// Adds the flow of a form over a time. NOTE: where b = 0 it is that of a p^2/2 + b q^2/2 - c q
+    /// p, with q in the place of p and -p in that of q.
+    bool add_oscillation(std::size_t k, const QuadraticForm& form, const Scaled& time) {
+        const bool is_exchanged = form.b.is_zero();
+        if (is_exchanged && form.a.is_zero()) return false;
+        QuadraticForm upright = form;
+        if (is_exchanged) upright = {form.b, form.a, graph_.times({-1, 1}, form.c)};
+        Shears shears = oscillation(graph_, upright, time);
         const Scaled q = input(q_[k]), p = input(p_[k]);
-        const Scaled upright = graph_.sum({p, graph_.product(slant, q)});
-        const Scaled left = difference(a, graph_.product(slant, c));
-        const PlaneChange change = sheared(graph_, upright, q, oscillation(graph_, left, b, time));
-        add(false, k, change.y);
-        add(true, k, difference(change.x, graph_.product(slant, change.y)));
+        if (!is_exchanged) {
+            const PlaneChange change = sheared(graph_, p, q, shears);
+            add(true, k, change.x);
+            add(false, k, change.y);
+            return true;
+        }
+        for (Scaled* shear : {&shears.first, &shears.middle, &shears.last}) {
+            *shear = graph_.times({-1, 1}, *shear);
+        }
+        const PlaneChange change = sheared(graph_, q, p, shears);
+        add(false, k, change.x);
+        add(true, k, change.y);
         return true;
     }
 
     /// Adds the flow of f(Q): that of Q over the time f'(Q) tau. NOTE: Q is looked for among forms
-    /// with b = 1 that a function of them shows by its slopes at a point.
+    /// that stand in the graph of the function.
     bool add_function_of_quadratic(const Freedom& one) {
         const std::size_t k = one.positions.front();
         const Node q = q_[k], p = p_[k];
-        for (const Form& form : candidates(q, p)) {
+        for (const QuadraticForm& form : candidates(q, p)) {
             const auto [by_q, by_p] = slopes(form, q, p);
             const Scaled bracket =
                 difference(graph_.product(slope_by_q_, by_p), graph_.product(slope_by_p_, by_q));
@@ -307,8 +312,8 @@ private:
 
     /// Returns quadratic forms that the function may depend on: its own second derivatives, and
     /// those of all that it is computed from.
-    [[nodiscard]] std::vector<Form> candidates(Node q, Node p) {
-        std::vector<Form> forms;
+    [[nodiscard]] std::vector<QuadraticForm> candidates(Node q, Node p) {
+        std::vector<QuadraticForm> forms;
         const auto size = static_cast<Node>(graph_.size());
         for (Node node = 0; node < size; ++node) {
             const Scaled value = input(node);
@@ -326,7 +331,7 @@ private:
 
     /// Returns f'(Q) at the variables. For q = 0 the form is b p^2/2, and f(Q) is the function at p
     /// = sqrt(2 Q/b).
-    [[nodiscard]] std::optional<Scaled> speed_of(const Form& form, Node q, Node p) {
+    [[nodiscard]] std::optional<Scaled> speed_of(const QuadraticForm& form, Node q, Node p) {
         const Scaled Q = graph_.input("value of a quadratic form", Role::direction);
         const Scaled square = graph_.product(graph_.times({2, 1}, Q), graph_.inverse(form.b));
         const Scaled f =

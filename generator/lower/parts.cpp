@@ -108,11 +108,9 @@ private:
 
     /// Adds parts that are found among the terms of H.
     void find_parts() {
-        std::vector<Scaled> terms, sums;
-        add_terms(system_.graph, function_of(system_), Graph::number(1), terms);
+        std::vector<Scaled> sums;
         std::vector<Flow> flows;
-        for (const Scaled& term : terms) {
-            if (!varies(system_.graph.at(term.node).roles)) { continue; }
+        for (const Scaled& term : terms()) {
             std::size_t k = 0;
             for (; k < sums.size(); ++k) {
                 const Scaled sum = system_.graph.sum({sums[k], term});
@@ -129,6 +127,32 @@ private:
         for (std::size_t k = 0; k < sums.size(); ++k) {
             add(name_of(k), expression_of(system_.graph, sums[k]), std::move(flows[k]));
         }
+    }
+
+    /// Returns the terms of H that vary. NOTE: a part has its flow with all functions of q alone or
+    /// with none, but where they are quadratic, and so these are one term: there may be thousands.
+    [[nodiscard]] std::vector<Scaled> terms() {
+        std::vector<Scaled> all, result, of_q;
+        add_terms(system_.graph, function_of(system_), Graph::number(1), all);
+        for (const Scaled& term : all) {
+            const Roles roles = system_.graph.at(term.node).roles;
+            if (!varies(roles)) { continue; }
+            const bool is_of_q = !has(roles, Role::conjugate) && !is_monomial(term.node);
+            (is_of_q ? of_q : result).push_back(term);
+        }
+        if (!of_q.empty()) { result.push_back(system_.graph.sum(std::move(of_q))); }
+        return result;
+    }
+
+    /// Returns whether a node is a product of two variables at most.
+    [[nodiscard]] bool is_monomial(Node node) const {
+        const auto is_input = [&](Node one) {
+            return system_.graph.at(one).operation == Operation::input;
+        };
+        const Computation& computation = system_.graph.at(node);
+        return is_input(node) || (computation.operation == Operation::product &&
+                                  is_input(computation.arguments[0]) &&
+                                  is_input(computation.arguments[1]));
     }
 
     [[nodiscard]] Flow flow_of_term(const Scaled& term) {

@@ -61,11 +61,11 @@ Oscillation oscillating(Graph& graph, const Scaled& square, const Scaled& time) 
 }  // namespace
 
 PlaneChange sheared(Graph& graph, const Scaled& x, const Scaled& y, const Shears& shears) {
-    const auto& [a, b, sign] = shears;
+    const auto& [a, b, c, sign] = shears;
     const Scaled x_0 = graph.product(sign, x), y_0 = graph.product(sign, y);
     const Scaled first = graph.product(a, y_0);
     const Scaled middle = graph.product(b, graph.sum({x_0, first}));
-    const Scaled last = graph.product(a, graph.sum({y_0, middle}));
+    const Scaled last = graph.product(c, graph.sum({y_0, middle}));
     const auto beside = [&](const Scaled& value, const Scaled& start) {
         return graph.sum({value, graph.times({-1, 1}, start)});
     };
@@ -74,13 +74,23 @@ PlaneChange sheared(Graph& graph, const Scaled& x, const Scaled& y, const Shears
 
 Shears rotation(Graph& graph, const Scaled& angle) {
     const auto [sine, cosine, sign] = bounded(graph, Graph::number(1), angle);
-    return {half_tangent(graph, sine, cosine), graph.times({-1, 1}, sine), sign};
+    const Scaled half = half_tangent(graph, sine, cosine);
+    return {half, graph.times({-1, 1}, sine), half, sign};
 }
 
-Shears oscillation(Graph& graph, const Scaled& a, const Scaled& b, const Scaled& time) {
-    const auto [sine, cosine, sign] = oscillating(graph, graph.product(a, b), time);
-    const Scaled half = half_tangent(graph, sine, cosine);
-    return {graph.times({-1, 1}, graph.product(a, half)), graph.product(b, sine), sign};
+// With w^2 = a b - c^2, S = sin(w t)/w and C = cos(w t) the flow is q' = (C + c S) q + b S p, p' =
+// (C - c S) p - a S q. So the shear of q is b S, and those of p are (C - 1 +- c S)/(b S), where (C
+// - 1)/S = -w^2 S/(1 + C).
+Shears oscillation(Graph& graph, const QuadraticForm& form, const Scaled& time) {
+    const auto& [a, b, c] = form;
+    const Scaled square =
+        graph.sum({graph.product(a, b), graph.times({-1, 1}, graph.product(c, c))});
+    const auto [sine, cosine, sign] = oscillating(graph, square, time);
+    const Scaled turn =
+        graph.times({-1, 1}, graph.product(square, half_tangent(graph, sine, cosine)));
+    const Scaled below = graph.inverse(b);
+    return {graph.product(below, graph.sum({turn, c})), graph.product(b, sine),
+            graph.product(below, graph.sum({turn, graph.times({-1, 1}, c)})), sign};
 }
 
 }  // namespace hvi::gen

@@ -11,22 +11,29 @@ struct PlaneChange {
     Scaled x, y;
 };
 
-/// The three shears x += a y, y += b x, x += a y after a change of both signs, or of none.
+/// The shears x += first y, y += middle x, x += last y after a change of both signs, or of none.
 struct Shears {
-    Scaled a, b;
+    Scaled first, middle, last;
     Scaled sign;  ///< 1, or a value that is 1 or -1
 };
 
 [[nodiscard]] PlaneChange sheared(Graph& graph, const Scaled& x, const Scaled& y,
                                   const Shears& shears);
 
-/// Returns the rotation x' = x cos + y sin, y' = y cos - x sin by an angle: a = tan(r/2), b =
-/// -sin(r) for the angle r in [-pi/2, pi/2] that is left after half a turn, which is the sign.
+/// Returns the rotation x' = x cos + y sin, y' = y cos - x sin by an angle. The shears are tan(r/2)
+/// and -sin(r) for the angle r in [-pi/2, pi/2] that is left after half a turn, which is the sign.
 [[nodiscard]] Shears rotation(Graph& graph, const Scaled& angle);
 
-/// Returns the flow of (a q^2 + b p^2)/2 over a time, as shears of x = p and y = q: a rotation for
-/// a b > 0, hyperbolic for a b < 0, and a shear for a b = 0.
-[[nodiscard]] Shears oscillation(Graph& graph, const Scaled& a, const Scaled& b,
-                                 const Scaled& time);
+/// A quadratic form (a q^2 + 2 c q p + b p^2)/2.
+struct QuadraticForm {
+    Scaled a, b, c;
+};
+
+/// Returns the flow of the form over a time, as shears of x = p and y = q. It turns where a b - c^2
+/// is positive, and is hyperbolic where that is negative. Precondition: b is not zero.
+///
+/// NOTE: two shears more, to p + (c/b) q and back, are no product of shears in the changes of a
+/// step, as their roundings differ, and the energy drifts: 1e-18 of it a step.
+[[nodiscard]] Shears oscillation(Graph& graph, const QuadraticForm& form, const Scaled& time);
 
 }  // namespace hvi::gen

@@ -1,0 +1,154 @@
+// Flows of parts that are the whole H, beside their closed forms.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <array>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <limits>
+
+#include <catch2/catch.hpp>
+
+#include "flows/form.hpp"
+#include "flows/kerr.hpp"
+#include "flows/spin.hpp"
+
+namespace {
+
+using hvi::generated::Form;
+using hvi::generated::Kerr;
+using hvi::generated::Spin;
+
+/// Returns the flow of (a q^2 + b p^2)/2 + c q p over a time, by the matrix exponential: with X^2 =
+/// -w^2 1 it is cos(w t) 1 + sin(w t)/w X. Complex numbers take w^2 of any sign.
+std::array<double, 2> exact(const Form::Parameters& of, std::array<double, 2> x, double t) {
+    const std::complex<long double> w =
+        std::sqrt(std::complex<long double>(of.a * of.b - of.c * of.c));
+    const long double time = t;
+    const long double cosine = std::cos(w * time).real();
+    const long double sine = std::abs(w) < 1e-10L ? time : (std::sin(w * time) / w).real();
+    const auto [q, p] = x;
+    return {static_cast<double>(cosine * q + sine * (of.c * q + of.b * p)),
+            static_cast<double>(cosine * p - sine * (of.a * q + of.c * p))};
+}
+
+Form::Parameters parameters(double a, double b, double c) {
+    Form::Parameters result;
+    result.a = a;
+    result.b = b;
+    result.c = c;
+    return result;
+}
+
+}  // namespace
+
+TEST_CASE("the flow of a quadratic form is that of its matrix, for all signs and lengths") {
+    const std::array<Form::Parameters, 8> all{parameters(2, 3, 0.5),   parameters(1, 1, 0),
+                                              parameters(-2, 3, 0.5),  parameters(1, 4, 2),
+                                              parameters(0, 1, 0),     parameters(1e-9, 2, 0),
+                                              parameters(2, -3, 0.25), parameters(3, 2, -1)};
+    for (const Form::Parameters& of : all) {
+        Form stepper(of);
+        for (const double h : {0.01, 0.5, -0.5, 1.2825498301618641, 3.0, -7.0}) {
+            auto x = Form::initial(of);
+            const auto expected = exact(of, {x.q[0], x.p[0]}, h);
+            REQUIRE(stepper.step(x, h).ok());
+            const double size = std::max({1.0, std::abs(expected[0]), std::abs(expected[1])});
+            CAPTURE(of.a, of.b, of.c, h);
+            CHECK(std::abs(x.q[0] - expected[0]) <= 2e-14 * size);
+            CHECK(std::abs(x.p[0] - expected[1]) <= 2e-14 * size);
+        }
+    }
+}
+
+TEST_CASE("a rotation by pi, where its shears end, is taken") {
+    const Form::Parameters of = parameters(1, 1, 0);
+    Form stepper(of);
+    const double pi = std::acos(-1.0);
+    for (const double h : {pi, -pi, pi / 2, 3 * pi, 2 * pi}) {
+        auto x = Form::initial(of);
+        const auto expected = exact(of, {x.q[0], x.p[0]}, h);
+        REQUIRE(stepper.step(x, h).ok());
+        CHECK(std::abs(x.q[0] - expected[0]) <= 1e-14);
+        CHECK(std::abs(x.p[0] - expected[1]) <= 1e-14);
+    }
+}
+
+TEST_CASE("a quadratic form keeps its energy over a million steps") {
+    const Form::Parameters of = parameters(2, 3, 0.5);
+    Form stepper(of);
+    auto x = Form::initial(of);
+    const double before = stepper.energy(x);
+    for (int k = 0; k < 1'000'000; ++k) { REQUIRE(stepper.step(x, 0.3).ok()); }
+    CHECK(std::abs(stepper.energy(x) - before) <= 2e-13 * before);
+}
+
+TEST_CASE("a function of a quadratic form turns with the speed of its derivative") {
+    for (const double g : {0.7, -2.0, 0.0}) {
+        Kerr::Parameters of;
+        of.g = g;
+        Kerr stepper(of);
+        for (const double h : {0.1, -0.4, 2.0, 20.0}) {
+            auto x = Kerr::initial(of);
+            const long double q = x.q[0], p = x.p[0], square = q * q + p * p;
+            const long double angle = (static_cast<long double>(of.g) * square * square - 1) * h;
+            REQUIRE(stepper.step(x, h).ok());
+            CAPTURE(g, h);
+            CHECK(std::abs(x.q[0] - (std::cos(angle) * q + std::sin(angle) * p)) <= 1e-14);
+            CHECK(std::abs(x.p[0] - (std::cos(angle) * p - std::sin(angle) * q)) <= 1e-14);
+        }
+    }
+}
+
+TEST_CASE("a function of one component of the angular momentum turns the body") {
+    const Spin::Parameters of;
+    Spin stepper(of);
+    for (const double h : {0.25, -1.0, 3.0, 30.0}) {
+        auto x = Spin::initial(of);
+        const auto before = x;
+        const long double L = before.L[1];
+        const long double angle = (L / 2 + 4 * L * L * L / 5) * h;
+        const auto c = static_cast<double>(std::cos(angle)),
+                   s = static_cast<double>(std::sin(angle));
+        REQUIRE(stepper.step(x, h).ok());
+        CAPTURE(h);
+        // NOTE: R' = R exp(angle hat(e_2)), and L' = L x e_2 times the speed.
+        for (std::size_t row = 0; row < 3; ++row) {
+            const double R_1 = before.R[3 * row], R_2 = before.R[3 * row + 1];
+            const double R_3 = before.R[3 * row + 2];
+            CHECK(std::abs(x.R[3 * row] - (c * R_1 - s * R_3)) <= 1e-14);
+            CHECK(x.R[3 * row + 1] == R_2);
+            CHECK(std::abs(x.R[3 * row + 2] - (s * R_1 + c * R_3)) <= 1e-14);
+        }
+        CHECK(std::abs(x.L[0] - (c * before.L[0] - s * before.L[2])) <= 1e-14);
+        CHECK(x.L[1] == before.L[1]);
+        CHECK(std::abs(x.L[2] - (s * before.L[0] + c * before.L[2])) <= 1e-14);
+    }
+}
+
+TEST_CASE("a step of flows that fails leaves the state") {
+    Kerr stepper;
+    auto x = Kerr::initial();
+    x.q[0] = 1e200;
+    const auto before = x;
+    const hvi::Status status = stepper.step(x, 0.1);
+    CHECK(status.code() == hvi::Status::Code::not_finite);
+    CHECK(x.q == before.q);
+    CHECK(x.p == before.p);
+    CHECK_FALSE(stepper.step(x, std::numeric_limits<double>::infinity()).ok());
+    CHECK(x.q == before.q);
+    REQUIRE(stepper.step(x, 0).ok());
+    CHECK(x.q == before.q);
+}
+
+TEST_CASE("a stepper of flows forgets, and takes a state of the user's as a fresh one does") {
+    Kerr used, fresh;
+    auto x = Kerr::initial();
+    for (int k = 0; k < 5; ++k) { REQUIRE(used.step(x, 0.1).ok()); }
+    auto y = x;
+    y.q[0] += 0.25;
+    auto z = y;
+    REQUIRE(used.step(y, 0.1).ok());
+    REQUIRE(fresh.step(z, 0.1).ok());
+    CHECK(y.q == z.q);
+    CHECK(y.p == z.p);
+}
