@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,12 +19,20 @@ struct Moved {
     Scaled change;
 };
 
+/// Changes where some values are not negative: where rotations turn by a quarter at most, they need
+/// no half turn.
+struct UsualFlow {
+    std::vector<Scaled> conditions;
+    std::vector<Moved> moved;
+};
+
 /// A part of H, and its flow over the time HamiltonianParts::duration.
 struct HamiltonianPart {
     std::string name;
     Expression expression;  ///< as it was written, or found
     std::string flow;       ///< in words: `kicks and drifts`
     std::vector<Moved> moved;
+    std::optional<UsualFlow> usual;  ///< with fewer operations
 };
 
 /// Parts whose sum is H. The change of a part over the time h is exact.

@@ -302,12 +302,22 @@ std::string variables(const System& system) {
 
 std::string lines(const HamiltonianParts& parts) {
     std::string result = line("duration", text(parts.duration));
-    for (const HamiltonianPart& part : parts.parts) {
-        result += line("part " + part.name, part.flow);
-        for (const auto& [is_conjugate, component, change] : part.moved) {
+    const auto add_moved = [&](const std::vector<Moved>& all) {
+        for (const auto& [is_conjugate, component, change] : all) {
             result += line(fmt::format("{}{} moves by", is_conjugate ? 'p' : 'q', component + 1),
                            text(change));
         }
+    };
+    for (const HamiltonianPart& part : parts.parts) {
+        result += line("part " + part.name, part.flow);
+        if (part.usual) {
+            for (const Scaled& condition : part.usual->conditions) {
+                result += line("not negative", text(condition));
+            }
+            add_moved(part.usual->moved);
+            result += "else\n";
+        }
+        add_moved(part.moved);
     }
     return result;
 }

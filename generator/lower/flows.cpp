@@ -30,10 +30,11 @@ struct Freedom {
 /// A function of the variables, and its slopes by degrees of freedom and by conjugates.
 class FunctionWithFlow {
 public:
-    FunctionWithFlow(System& system, const Scaled& function, Node duration)
+    FunctionWithFlow(System& system, const Scaled& function, Node duration, Signs& signs)
         : system_(system),
           graph_(system.graph),
           function_(function),
+          signs_(signs),
           tau_{{1, 1}, duration},
           q_(coordinate_nodes(system)),
           p_(conjugate_nodes(system)),
@@ -146,6 +147,22 @@ private:
 
     // ---- the kinds of flows ----
 
+    /// Returns a value times the time. NOTE: factors that do not vary go with the time, and are one
+    /// value that is computed when that changes.
+    [[nodiscard]] Scaled over_time(const Scaled& value) {
+        Scaled fixed = graph_.times(value.factor, tau_), rest{{1, 1}, value.node};
+        const Computation computation = graph_.at(value.node);
+        const auto varies_at = [&](Node node) { return varies(graph_.at(node).roles); };
+        if (computation.operation == Operation::product) {
+            const auto [a, b] = std::pair(computation.arguments[0], computation.arguments[1]);
+            if (varies_at(a) != varies_at(b)) {
+                fixed = graph_.product(fixed, input(varies_at(a) ? b : a));
+                rest = input(varies_at(a) ? a : b);
+            }
+        }
+        return graph_.product(fixed, rest);
+    }
+
     /// Adds the changes of degrees of freedom that couple. Returns the kind; empty where no flow is
     /// known.
     std::string add(const std::vector<std::size_t>& together) {
@@ -185,11 +202,11 @@ private:
             const Freedom& freedom = freedoms_[k];
             for (std::size_t a = 0; a < freedom.degrees.size(); ++a) {
                 const Scaled slope = by_q_[freedom.degrees[a]];
-                add(true, freedom.momenta[a], graph_.times({-1, 1}, graph_.product(tau_, slope)));
+                add(true, freedom.momenta[a], graph_.times({-1, 1}, over_time(slope)));
             }
             if (is_body(freedom)) continue;
             const std::size_t k_q = freedom.positions.front();
-            add(false, k_q, graph_.product(tau_, by_p_[freedom.momenta.front()]));
+            add(false, k_q, over_time(by_p_[freedom.momenta.front()]));
         }
         return true;
     }
@@ -211,7 +228,7 @@ private:
         std::vector<Node> others = variables_of(body);
         std::erase(others, p_[body.momenta[k]]);
         if (depend({speed}, others)) return false;
-        const Shears shears = rotation(graph_, graph_.product(tau_, speed));
+        const Shears shears = rotation(graph_, signs_, over_time(speed));
         const std::size_t L_i = body.momenta[i], L_j = body.momenta[j];
         const PlaneChange of_L = sheared(graph_, input(p_[L_i]), input(p_[L_j]), shears);
         add(true, L_i, of_L.x);
@@ -277,7 +294,7 @@ private:
         if (is_exchanged && form.a.is_zero()) return false;
         QuadraticForm upright = form;
         if (is_exchanged) upright = {form.b, form.a, graph_.times({-1, 1}, form.c)};
-        Shears shears = oscillation(graph_, upright, time);
+        Shears shears = oscillation(graph_, signs_, upright, time);
         const Scaled q = input(q_[k]), p = input(p_[k]);
         if (!is_exchanged) {
             const PlaneChange change = sheared(graph_, p, q, shears);
@@ -305,7 +322,7 @@ private:
                 difference(graph_.product(slope_by_q_, by_p), graph_.product(slope_by_p_, by_q));
             if (form.b.is_zero() || !is_zero(bracket)) continue;
             const auto speed = speed_of(form, q, p);
-            if (speed && add_oscillation(k, form, graph_.product(tau_, *speed))) return true;
+            if (speed && add_oscillation(k, form, over_time(*speed))) return true;
         }
         return false;
     }
@@ -349,7 +366,9 @@ private:
 
     System& system_;
     Graph& graph_;
-    Scaled function_, tau_;
+    Scaled function_;
+    Signs& signs_;
+    Scaled tau_;
     std::vector<Node> q_, p_;
     std::vector<Scaled> by_p_, by_q_;
     std::vector<Freedom> freedoms_;
@@ -360,7 +379,14 @@ private:
 }  // namespace
 
 std::variant<Flow, NoFlow> flow_of(System& system, const Scaled& function, Node duration) {
-    return FunctionWithFlow(system, function, duration)();
+    Signs signs;
+    std::variant<Flow, NoFlow> result = FunctionWithFlow(system, function, duration, signs)();
+    auto* flow = std::get_if<Flow>(&result);
+    if (flow == nullptr || signs.cosines.empty()) return result;
+    Signs ones{true};
+    std::variant<Flow, NoFlow> usual = FunctionWithFlow(system, function, duration, ones)();
+    flow->usual = {std::move(ones.cosines), std::move(std::get<Flow>(usual).moved)};
+    return result;
 }
 
 }  // namespace hvi::gen

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -15,6 +16,7 @@ namespace hvi::gen {
 struct Flow {
     std::string kind;
     std::vector<Moved> moved;
+    std::optional<UsualFlow> usual = {};
 };
 
 /// The reason why no flow was found.

@@ -150,9 +150,9 @@ private:
             return system_.graph.at(one).operation == Operation::input;
         };
         const Computation& computation = system_.graph.at(node);
-        return is_input(node) || (computation.operation == Operation::product &&
-                                  is_input(computation.arguments[0]) &&
-                                  is_input(computation.arguments[1]));
+        return is_input(node) ||
+               (computation.operation == Operation::product && is_input(computation.arguments[0]) &&
+                is_input(computation.arguments[1]));
     }
 
     [[nodiscard]] Flow flow_of_term(const Scaled& term) {
@@ -172,8 +172,8 @@ private:
     }
 
     void add(std::string name, Expression expression, Flow flow) {
-        parts_.parts.push_back(
-            {std::move(name), std::move(expression), std::move(flow.kind), std::move(flow.moved)});
+        parts_.parts.push_back({std::move(name), std::move(expression), std::move(flow.kind),
+                                std::move(flow.moved), std::move(flow.usual)});
     }
 
     static constexpr const char* help_for_flows =

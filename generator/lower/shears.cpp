@@ -6,7 +6,9 @@ namespace hvi::gen {
 namespace {
 
 /// Returns -1 where the cosine is negative, else 1.
-Scaled sign_of(Graph& graph, const Scaled& cosine) {
+Scaled sign_of(Graph& graph, Signs& signs, const Scaled& cosine) {
+    signs.cosines.push_back(cosine);
+    if (signs.are_ones) { return Graph::number(1); }
     return graph.call("if<", {cosine, Graph::number(0), Graph::number(-1), Graph::number(1)});
 }
 
@@ -22,10 +24,10 @@ struct Oscillation {
     Scaled sign;
 };
 
-Oscillation bounded(Graph& graph, const Scaled& frequency, const Scaled& time) {
+Oscillation bounded(Graph& graph, Signs& signs, const Scaled& frequency, const Scaled& time) {
     const Scaled angle = graph.product(frequency, time);
     const Scaled cosine = graph.call("cos", {angle});
-    const Scaled sign = sign_of(graph, cosine);
+    const Scaled sign = sign_of(graph, signs, cosine);
     const Scaled sine = graph.product(graph.call("sin", {angle}), graph.inverse(frequency));
     return {graph.product(sign, sine), graph.product(sign, cosine), sign};
 }
@@ -38,24 +40,24 @@ Oscillation unbounded(Graph& graph, const Scaled& rate, const Scaled& time) {
 
 /// Returns the oscillation for a square of the frequency whose sign parameters decide. NOTE: for a
 /// rate k of 1e-15 sin(k t)/k is t to all digits, and all formats have its square.
-Oscillation of_any_sign(Graph& graph, const Scaled& square, const Scaled& time) {
+Oscillation of_any_sign(Graph& graph, Signs& signs, const Scaled& square, const Scaled& time) {
     const Scaled least = graph.constant(Expression::decimal("1e-30"));
     const Scaled size = graph.call("max", {graph.call("abs", {square}), least});
     const Scaled rate = graph.half_power(size, 1);
-    const Oscillation yes = bounded(graph, rate, time), no = unbounded(graph, rate, time);
+    const Oscillation yes = bounded(graph, signs, rate, time), no = unbounded(graph, rate, time);
     const auto chosen = [&](const Scaled& positive, const Scaled& negative) {
         return graph.call("if<", {square, Graph::number(0), negative, positive});
     };
     return {chosen(yes.sine, no.sine), chosen(yes.cosine, no.cosine), chosen(yes.sign, no.sign)};
 }
 
-Oscillation oscillating(Graph& graph, const Scaled& square, const Scaled& time) {
+Oscillation oscillating(Graph& graph, Signs& signs, const Scaled& square, const Scaled& time) {
     if (square.is_zero()) { return {time, Graph::number(1), Graph::number(1)}; }
-    if (!graph.is_number(square)) { return of_any_sign(graph, square, time); }
+    if (!graph.is_number(square)) { return of_any_sign(graph, signs, square, time); }
     if (square.factor.above < 0) {
         return unbounded(graph, graph.half_power(graph.times({-1, 1}, square), 1), time);
     }
-    return bounded(graph, graph.half_power(square, 1), time);
+    return bounded(graph, signs, graph.half_power(square, 1), time);
 }
 
 }  // namespace
@@ -72,8 +74,8 @@ PlaneChange sheared(Graph& graph, const Scaled& x, const Scaled& y, const Shears
     return {graph.sum({beside(x_0, x), first, last}), graph.sum({beside(y_0, y), middle})};
 }
 
-Shears rotation(Graph& graph, const Scaled& angle) {
-    const auto [sine, cosine, sign] = bounded(graph, Graph::number(1), angle);
+Shears rotation(Graph& graph, Signs& signs, const Scaled& angle) {
+    const auto [sine, cosine, sign] = bounded(graph, signs, Graph::number(1), angle);
     const Scaled half = half_tangent(graph, sine, cosine);
     return {half, graph.times({-1, 1}, sine), half, sign};
 }
@@ -81,11 +83,11 @@ Shears rotation(Graph& graph, const Scaled& angle) {
 // With w^2 = a b - c^2, S = sin(w t)/w and C = cos(w t) the flow is q' = (C + c S) q + b S p, p' =
 // (C - c S) p - a S q. So the shear of q is b S, and those of p are (C - 1 +- c S)/(b S), where (C
 // - 1)/S = -w^2 S/(1 + C).
-Shears oscillation(Graph& graph, const QuadraticForm& form, const Scaled& time) {
+Shears oscillation(Graph& graph, Signs& signs, const QuadraticForm& form, const Scaled& time) {
     const auto& [a, b, c] = form;
     const Scaled square =
         graph.sum({graph.product(a, b), graph.times({-1, 1}, graph.product(c, c))});
-    const auto [sine, cosine, sign] = oscillating(graph, square, time);
+    const auto [sine, cosine, sign] = oscillating(graph, signs, square, time);
     const Scaled turn =
         graph.times({-1, 1}, graph.product(square, half_tangent(graph, sine, cosine)));
     const Scaled below = graph.inverse(b);

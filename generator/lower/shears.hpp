@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include <vector>
+
 #include "generator/graph/graph.hpp"
 
 namespace hvi::gen {
@@ -17,12 +19,18 @@ struct Shears {
     Scaled sign;  ///< 1, or a value that is 1 or -1
 };
 
+/// Signs of rotations.
+struct Signs {
+    bool are_ones = false;             ///< whether each is taken for 1
+    std::vector<Scaled> cosines = {};  ///< they are 1 where these are not negative
+};
+
 [[nodiscard]] PlaneChange sheared(Graph& graph, const Scaled& x, const Scaled& y,
                                   const Shears& shears);
 
 /// Returns the rotation x' = x cos + y sin, y' = y cos - x sin by an angle. The shears are tan(r/2)
 /// and -sin(r) for the angle r in [-pi/2, pi/2] that is left after half a turn, which is the sign.
-[[nodiscard]] Shears rotation(Graph& graph, const Scaled& angle);
+[[nodiscard]] Shears rotation(Graph& graph, Signs& signs, const Scaled& angle);
 
 /// A quadratic form (a q^2 + 2 c q p + b p^2)/2.
 struct QuadraticForm {
@@ -34,6 +42,7 @@ struct QuadraticForm {
 ///
 /// NOTE: two shears more, to p + (c/b) q and back, are no product of shears in the changes of a
 /// step, as their roundings differ, and the energy drifts: 1e-18 of it a step.
-[[nodiscard]] Shears oscillation(Graph& graph, const QuadraticForm& form, const Scaled& time);
+[[nodiscard]] Shears oscillation(Graph& graph, Signs& signs, const QuadraticForm& form,
+                                 const Scaled& time);
 
 }  // namespace hvi::gen

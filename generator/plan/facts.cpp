@@ -147,12 +147,15 @@ std::vector<std::string> costs_of_flows(const System& system, const FlowStep& fo
     const std::vector<HamiltonianPart>& parts = system.parts->parts;
     for (std::size_t k = 0; k < parts.size(); ++k) {
         std::vector<Scaled> changes;
-        for (const Moved& moved : parts[k].moved) { changes.push_back(moved.change); }
+        const HamiltonianPart& part = parts[k];
+        for (const Moved& moved : part.usual ? part.usual->moved : part.moved) {
+            changes.push_back(moved.change);
+        }
         const auto count =
             std::count_if(form.moves.begin(), form.moves.end(),
                           [&](const FlowStep::Move& move) { return move.part == k; });
         result.push_back(fmt::format("flow of {} = {}, {}, {} in a step: {}", parts[k].name,
-                                     to_text(parts[k].expression), parts[k].flow,
+                                     to_text(parts[k].expression), part.flow,
                                      count == 1 ? "once" : fmt::format("{} times", count),
                                      text(kernel(system.graph, std::move(changes)).counts)));
     }

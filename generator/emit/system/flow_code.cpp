@@ -9,52 +9,108 @@ namespace hvi::gen {
 
 namespace {
 
-/// Writes the call: all changes first, from values before the flow, then what they move.
-std::string call_text(const System& system, const HamiltonianPart& part, ClassNames& names,
-                      std::string_view library) {
-    std::vector<Scaled> changes;
-    for (const Moved& moved : part.moved) { changes.push_back(moved.change); }
-    const Kernel code = kernel(system.graph, std::move(changes));
-    Writer writer(2);
-    writer.line("template <class Path>").open("void operator()(Path& at) const {{");
-    writer.line("[[maybe_unused]] const auto& q = at.x.q;");
-    writer.line("[[maybe_unused]] const auto& p = at.x.p;");
-    const std::vector<std::string> values =
-        write_code(writer, system.graph, code, names.given(code, variable_names(system)), library);
-    for (std::size_t k = 0; k < values.size(); ++k) {
-        writer.line("const Scalar change_{} = {};", k + 1, values[k]);
+/// Writes the class of the flow of one part.
+class FlowWriter {
+public:
+    FlowWriter(const System& system, std::size_t part, std::string_view library)
+        : system_(system),
+          part_(system.parts->parts[part]),
+          name_(fmt::format("Flow{}", part + 1)),
+          library_(library),
+          names_(system, Constants::are_numbers) {
+        names_.add_input(system.parts->duration, "time");
     }
-    for (std::size_t k = 0; k < values.size(); ++k) {
-        const Moved& moved = part.moved[k];
-        writer.line("at.move_{}({}, change_{});", moved.is_conjugate ? 'p' : 'q', moved.component,
-                    k + 1);
+
+    [[nodiscard]] std::string text() {
+        // NOTE: the constructor comes last, as it computes values that the calls need.
+        Writer calls(2);
+        if (part_.usual) {
+            write_usual(calls, *part_.usual);
+            calls.blank();
+            write_call(calls, "void turn(Path& at) const {", part_.moved);
+        } else {
+            write_call(calls, "void operator()(Path& at) const {", part_.moved);
+        }
+        Writer setup(2), data(2);
+        names_.write_setup(setup, library_);
+        names_.write_data(data);
+        Writer writer(1);
+        writer.comment(fmt::format("Flow of the part {} = {} of H over a time: {}.", part_.name,
+                                   to_text(part_.expression), part_.flow),
+                       "/// ");
+        writer.open("struct {} {{", name_).line("{}() = default;", name_);
+        writer.open("{}([[maybe_unused]] const Parameters& parameters, [[maybe_unused]] Scalar "
+                    "time) {{",
+                    name_);
+        writer.insert(setup.str()).close().blank();
+        writer.insert(calls.str());
+        if (!data.str().empty()) { writer.blank().insert(data.str()); }
+        return writer.close("};").str();
     }
-    return writer.close().str();
-}
+
+private:
+    /// Writes the call for what is usual, which hands the rest to another one.
+    void write_usual(Writer& writer, const UsualFlow& usual) {
+        std::vector<Scaled> values = usual.conditions;
+        for (const Moved& moved : usual.moved) { values.push_back(moved.change); }
+        begin(writer, "void operator()(Path& at) const {");
+        std::vector<std::string> results = results_of(writer, std::move(values));
+        const auto conditions =
+            results.begin() + static_cast<std::ptrdiff_t>(usual.conditions.size());
+        std::string all;
+        for (auto condition = results.begin(); condition != conditions; ++condition) {
+            all += fmt::format("{}{} >= 0", all.empty() ? "" : " && ", *condition);
+        }
+        writer.line("if (!({})) {{ return turn(at); }}", all);
+        results.erase(results.begin(), conditions);
+        move(writer, usual.moved, results);
+        writer.close();
+    }
+
+    void write_call(Writer& writer, std::string_view head, const std::vector<Moved>& moved) {
+        std::vector<Scaled> values;
+        for (const Moved& each : moved) { values.push_back(each.change); }
+        begin(writer, head);
+        const std::vector<std::string> results = results_of(writer, std::move(values));
+        move(writer, moved, results);
+        writer.close();
+    }
+
+    static void begin(Writer& writer, std::string_view head) {
+        writer.line("template <class Path>").open("{}", head);
+        writer.line("[[maybe_unused]] const auto& q = at.x.q;");
+        writer.line("[[maybe_unused]] const auto& p = at.x.p;");
+    }
+
+    [[nodiscard]] std::vector<std::string> results_of(Writer& writer, std::vector<Scaled> values) {
+        const Kernel code = kernel(system_.graph, std::move(values));
+        return write_code(writer, system_.graph, code, names_.given(code, variable_names(system_)),
+                          library_);
+    }
+
+    /// Writes all changes, from values before the flow, then the moves by them.
+    static void move(Writer& writer, const std::vector<Moved>& all,
+                     const std::vector<std::string>& changes) {
+        for (std::size_t k = 0; k < all.size(); ++k) {
+            writer.line("const Scalar change_{} = {};", k + 1, changes[k]);
+        }
+        for (std::size_t k = 0; k < all.size(); ++k) {
+            writer.line("at.move_{}({}, change_{});", all[k].is_conjugate ? 'p' : 'q',
+                        all[k].component, k + 1);
+        }
+    }
+
+    const System& system_;
+    const HamiltonianPart& part_;
+    std::string name_;
+    std::string_view library_;
+    ClassNames names_;
+};
 
 }  // namespace
 
 std::string flow_text(const System& system, std::size_t part, std::string_view library) {
-    const HamiltonianParts& parts = *system.parts;
-    const HamiltonianPart& it = parts.parts[part];
-    const std::string name = fmt::format("Flow{}", part + 1);
-    ClassNames names(system, Constants::are_numbers);
-    names.add_input(parts.duration, "time");
-    const std::string call = call_text(system, it, names, library);
-    Writer setup(2), data(2);
-    names.write_setup(setup, library);
-    names.write_data(data);
-    Writer writer(1);
-    writer.comment(fmt::format("Flow of the part {} = {} of H over a time: {}.", it.name,
-                               to_text(it.expression), it.flow),
-                   "/// ");
-    writer.open("struct {} {{", name).line("{}() = default;", name);
-    writer.open(
-        "{}([[maybe_unused]] const Parameters& parameters, [[maybe_unused]] Scalar time) {{", name);
-    writer.insert(setup.str()).close().blank();
-    writer.insert(call);
-    if (!data.str().empty()) { writer.blank().insert(data.str()); }
-    return writer.close("};").str();
+    return FlowWriter(system, part, library).text();
 }
 
 }  // namespace hvi::gen
