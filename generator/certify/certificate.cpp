@@ -5,6 +5,7 @@
 
 #include "generator/certify/known.hpp"
 #include "generator/exact/numbers/budget.hpp"
+#include "generator/exact/numbers/rounded.hpp"
 #include "generator/stages/stage_graph.hpp"
 
 namespace hvi::gen {
@@ -35,6 +36,23 @@ template <class Method>
 Properties properties_of(const Method& method, int max_order) {
     return {is_symplectic(method), is_symmetric(method), is_runge_kutta(method),
             has_common_weights(method), orders(method, max_order)};
+}
+
+/// Returns the method with enclosures of numbers that are made of decimals.
+RoundedMethod rounded_method(const Tableau& tableau) {
+    constexpr int lost = 4;  // in products and sums
+    const DecimalDigits digits{tableau.digits, -tableau.digits};
+    const PartitionedMethod written = partitioned_method(tableau);
+    PartitionedMethod enclosed = written;
+    const auto widen = [&](NumberVector& row) {
+        for (Number& number : row) { number = unrounded(number, digits, {}); }
+    };
+    widen(enclosed.b);
+    widen(enclosed.b_tilde);
+    for (NumberMatrix* rows : {&enclosed.A, &enclosed.A_tilde}) {
+        for (NumberVector& row : *rows) { widen(row); }
+    }
+    return {written, enclosed, bits_for(tableau.digits - lost)};
 }
 
 void set_map(Findings& findings, const auto& method) {
@@ -83,7 +101,12 @@ Properties properties(const PartitionedMethod& method, int max_order) {
 
 Certificate certify(const Tableau& tableau, int max_order) {
     Certificate result;
-    static_cast<Properties&>(result) = properties_of(tableau, max_order);
+    if (tableau.digits > 0) {
+        static_cast<Properties&>(result) = properties_of(rounded_method(tableau), max_order);
+        result.within_digits = true;
+    } else {
+        static_cast<Properties&>(result) = properties_of(tableau, max_order);
+    }
     result.name = tableau.provenance.name;
     result.origin = tableau.provenance.origin;
     result.parameters = tableau.parameters;

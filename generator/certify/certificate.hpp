@@ -61,6 +61,7 @@ struct Certificate : Findings, Properties {
     std::vector<std::string> known_as;         ///< named methods with this tableau
     std::vector<std::string> adjoint;          ///< named methods with its adjoint
     std::vector<ExceptionalValue> exceptions;  ///< values of a parameter with a higher order
+    std::vector<std::size_t> splitting;        ///< orders of a splitting: see splitting_orders()
 
     /// The stage values that are solved for together, for H = T(p) + U(q) and for any H.
     std::vector<std::vector<StageNode>> coupled_separable, coupled_general;

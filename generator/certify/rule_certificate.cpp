@@ -5,6 +5,7 @@
 
 #include "generator/exact/methods/galerkin_form.hpp"
 #include "generator/exact/methods/projected_stages.hpp"
+#include "generator/exact/methods/splitting_orders.hpp"
 #include "generator/exact/numbers/budget.hpp"
 
 namespace hvi::gen {
@@ -53,6 +54,11 @@ AnyCertificate certify(const Method& method, int max_order) {
         };
         if (auto* of_tableau = std::get_if<Certificate>(&result)) {
             look(*of_tableau, of_tableau->orders.general);
+            if (!method.splitting.empty()) {
+                of_tableau->splitting = on_new_ground([&](const Ground& ground) {
+                    return splitting_orders(splitting(ground, method.splitting));
+                });
+            }
         } else {
             auto& of_rule = std::get<RuleCertificate>(result);
             look(of_rule, of_rule.nystrom);

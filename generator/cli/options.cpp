@@ -51,7 +51,6 @@ std::optional<SystemOptions> system_options(const Words& words) {
     system.hamiltonian = words.value("--hamiltonian");
     system.coordinates = words.value("--coordinates");
     system.momenta = words.value("--momenta");
-    system.split = words.choice<SplitChoice>("--split");
     if (system.scene || system.hamiltonian) return system;
     return {};
 }
@@ -91,6 +90,12 @@ StepperWishes wishes_of(const Words& words) {
     return wishes;
 }
 
+/// Sets the choices of a stepper that its scene is read with: sums, and parts of H.
+void set_choices(SystemOptions& system, const StepperWishes& wishes, const Words& words) {
+    system.sums = {wishes.unroll, wish_without_loops(wishes)};
+    system.split = words.choice<SplitChoice>("--split");
+}
+
 TableauOptions tableau_options(const Words& words, const CommandLine& line) {
     TableauOptions options;
     options.method = method_options(words, line);
@@ -123,8 +128,7 @@ StepperOptions stepper_options(const Words& words, const CommandLine& line) {
     options.method = options.system && options.system->scene ? method_beside_scene(words)
                                                              : method_options(words, line);
     options.wishes = wishes_of(words);
-    if (options.system)
-        options.system->sums = {options.wishes.unroll, wish_without_loops(options.wishes)};
+    if (options.system) set_choices(*options.system, options.wishes, words);
     options.explain = words.has("--explain");
     if (const auto stage = words.choice<Stage>("--dump")) {
         options.dump = Wish<Stage>{*stage, whole(words.value("--dump"))};
@@ -172,7 +176,7 @@ RunOptions run_options(const Words& words, const CommandLine& line) {
     options.system.scene = words.value("SCENE");
     if (!options.system.scene) refuse_without_scene(line);
     options.wishes = wishes_of(words);
-    options.system.sums = {options.wishes.unroll, wish_without_loops(options.wishes)};
+    set_choices(options.system, options.wishes, words);
     options.accuracy = words.fraction("--accuracy");
     if (const auto seconds = words.whole_number("--budget")) options.budget = *seconds;
     options.step = words.value("--step");
@@ -222,7 +226,7 @@ EnsembleOptions ensemble_options(const Words& words, const CommandLine& line) {
     options.system.scene = words.value("SCENE");
     if (!options.system.scene) refuse_without_scene(line);
     options.wishes = wishes_of(words);
-    options.system.sums = {options.wishes.unroll, wish_without_loops(options.wishes)};
+    set_choices(options.system, options.wishes, words);
     options.step = words.value("--step");
     options.until = words.value("--until");
     options.columns = words.value("--columns");
@@ -266,7 +270,7 @@ ModuleOptions module_options(const Words& words, const CommandLine& line) {
     options.system.scene = words.value("SCENE");
     if (!options.system.scene) refuse_without_scene(line);
     options.wishes = wishes_of(words);
-    options.system.sums = {options.wishes.unroll, wish_without_loops(options.wishes)};
+    set_choices(options.system, options.wishes, words);
     options.name = words.value("--name");
     options.language = words.choice<Language>("--language").value_or(Language::c);
     if (const auto directory = output_option(words)) options.output = *directory;

@@ -118,6 +118,7 @@ Json certificate_json(const Certificate& certificate) {
     json["order"] = general.order;
     json["order_separable"] = certificate.orders.separable.order;
     json["order_nystrom"] = certificate.orders.nystrom.order;
+    if (!certificate.splitting.empty()) json["orders_of_splitting"] = certificate.splitting;
     json["order_is_at_least"] = general.is_at_least;
     json["proved"] = certificate.is_proved();
     json["conditions"] = general.conditions;

@@ -1,6 +1,7 @@
 // A certificate for people, in a terminal of 80 columns.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <numeric>
 
@@ -187,6 +188,18 @@ void write_oscillator(NamedLines& lines, const Findings& findings) {
     if (findings.stability) { write_stability(lines, *findings.stability); }
 }
 
+void write_splitting(NamedLines& lines, const std::vector<std::size_t>& orders) {
+    if (orders.empty()) { return; }
+    std::string error;
+    for (std::size_t k = 0; k < orders.size(); ++k) {
+        error += fmt::format("{}eps{}*h^{}", k == 0 ? "" : " + ",
+                             k == 0 ? "" : fmt::format("^{}", k + 1), orders[k]);
+    }
+    lines.line("for A+eps*B",
+               fmt::format("order ({}): the error of the Hamiltonian is O({}), to 50 digits",
+                           fmt::join(orders, ", "), error));
+}
+
 void write_certificate(NamedLines& lines, const Certificate& certificate) {
     const Orders& orders = certificate.orders;
     lines.line("order", order_text(orders.general, certificate));
@@ -194,6 +207,7 @@ void write_certificate(NamedLines& lines, const Certificate& certificate) {
     lines.line("  separable", order_text(orders.separable, certificate));
     lines.line("  Nystrom", order_text(orders.nystrom, certificate));
     write_failures(lines, orders.general);
+    write_splitting(lines, certificate.splitting);
     lines.blank();
     lines.line("symplectic", yes_or_no(certificate.symplectic, certificate));
     lines.line("self-adjoint", yes_or_no(certificate.symmetric, certificate));

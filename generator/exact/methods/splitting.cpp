@@ -21,6 +21,9 @@ struct Entry {
     bool has_middle;                     ///< whether a flow of B is in the middle, else one of A
 };
 
+/// Digits to which sums of these coefficients are known.
+constexpr int digits_of_entries = 54;
+
 // NOTE: the digits are computed anew from those that the authors print, by Newton's method on the
 // conditions for their orders in 90 digits; these are as many as the coefficients.
 const std::vector<Entry>& entries() {
@@ -91,7 +94,8 @@ Splitting splitting(const Ground& ground, const std::string& name) {
     if (name.starts_with(saba)) { return at_gauss_nodes(ground, name.substr(saba.size())); }
     for (const Entry& entry : entries()) {
         if (entry.name != name) { continue; }
-        return {palindrome(entry.a, !entry.has_middle), palindrome(entry.b, entry.has_middle)};
+        return {palindrome(entry.a, !entry.has_middle), palindrome(entry.b, entry.has_middle),
+                digits_of_entries};
     }
     HVI_CHECK(false && "the catalogue has no other splitting");
     return {};
@@ -111,14 +115,16 @@ NumberVector substeps(const Splitting& splitting) {
 Tableau splitting_tableau(const Ground& ground, const Method& method) {
     // NOTE: one stage at the end of the step is a drift, and a kick after it.
     const WeightedStages map{{{Number(1)}}, {Number(1)}};
+    const Splitting flows = splitting(ground, method.splitting);
     const Composition composition{.name = method.splitting,
                                   .order = 1,
                                   .with_adjoint = true,
-                                  .steps = substeps(splitting(ground, method.splitting)),
+                                  .steps = substeps(flows),
                                   .place = {}};
     const PartitionedMethod stages = partitioned_method(composed(map, composition));
     Tableau result;
     result.provenance = {.name = method.name, .origin = method.origin, .basis = {}};
+    result.digits = flows.digits;
     result.b = stages.b;
     result.A = stages.A;
     result.A_tilde = stages.A_tilde;

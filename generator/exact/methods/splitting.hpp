@@ -13,6 +13,7 @@ namespace hvi::gen {
 struct Splitting {
     NumberVector a;  ///< k + 1
     NumberVector b;  ///< k
+    int digits = 0;  ///< digits of the decimals that they are; 0: they are exact
 };
 
 /// Returns the coefficients of a splitting by its name, on the field of `ground`. Precondition: the

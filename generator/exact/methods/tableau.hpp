@@ -52,7 +52,8 @@ struct Galerkin {
 struct Tableau : ButcherPair {
     Provenance provenance;
     std::vector<std::string> parameters;  ///< free symbols in its numbers, sorted
-    std::optional<Galerkin> galerkin;  ///< empty for coefficients that Algorithm 4.3 did not make
+    std::optional<Galerkin> galerkin = {};  ///< empty for what Algorithm 4.3 did not make
+    int digits = 0;  ///< digits of the decimals that its numbers are made of; 0: they are exact
 
     /// Returns Galerkin's node polynomial; null where there is none.
     [[nodiscard]] const RationalPolynomial* node_polynomial() const {

@@ -7,6 +7,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "generator/exact/methods/splitting.hpp"
 #include "generator/plan/plan.hpp"
 #include "generator/support/error.hpp"
 #include "tests/generator/exact/exact.hpp"
@@ -372,4 +373,24 @@ TEST_CASE("why the step of a quadratic H is iterated is among the choices") {
     system.degrees_of_freedom = 20;
     CHECK(reason(system, Solver::automatic) == "its matrix has 80 unknowns, above 64");
     CHECK(reason(system, Solver::newton).empty());
+}
+
+TEST_CASE("a splitting of three parts takes their flows in turn, and those in a row as one") {
+    const std::string name = "strang";
+    Method method = named_method(std::make_shared<const Source>(Source{"--method", name}));
+    const Tableau tableau =
+        on_new_ground([&](const Ground& ground) { return splitting_tableau(ground, method); });
+    const Step step =
+        plan({tableau}, {.degrees_of_freedom = 2, .container = Container::arrays, .parts = 3});
+    const auto* form = std::get_if<FlowStep>(&step.form);
+    REQUIRE(form != nullptr);
+    CHECK(step.is_explicit());
+    std::vector<std::size_t> parts;
+    for (const FlowStep::Move& move : form->moves) { parts.push_back(move.part); }
+    CHECK(parts == Indices{0, 1, 2, 1, 0});
+    REQUIRE(form->fractions.size() == 3);
+    CHECK(form->fractions[0].size() == 1);
+    CHECK((form->fractions[0][0] - Number(1) / Number(2)).is_zero());
+    CHECK((form->fractions[1][0] - Number(1) / Number(2)).is_zero());
+    CHECK(form->fractions[2][0].is_one());
 }

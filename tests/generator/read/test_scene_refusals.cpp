@@ -230,7 +230,7 @@ TEST_CASE("a place in an H of several lines is in its line") {
 }
 
 TEST_CASE("what is to come is refused as such") {
-    for (const char* section : {"split", "boundary", "guess"}) {
+    for (const char* section : {"boundary", "guess"}) {
         const std::string text = planet + "[" + section + "]\nzero = \"y\"\n";
         CAPTURE(section);
         CHECK(refused(text).status == 2);

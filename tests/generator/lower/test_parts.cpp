@@ -1,0 +1,121 @@
+// Parts of H with known flows: which are found, what is refused, and what moves.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include <catch2/catch.hpp>
+
+#include "generator/lower/parts.hpp"
+#include "generator/lower/system.hpp"
+#include "tests/generator/read/refusal.hpp"
+
+using namespace hvi::gen;
+
+namespace {
+
+/// A scene of two degrees of freedom; `split` is the text behind its parameters.
+std::string planar(const std::string& hamiltonian, const std::string& split = "") {
+    return "hamiltonian = \"" + hamiltonian +
+           "\"\ncoordinates = [\"x\", \"y\"]\nmomenta = [\"px\", \"py\"]\n"
+           "[parameters]\na = 2\nb = 3\n" +
+           split + "[initial]\nx = 1\ny = 0\npx = 0\npy = 1\n";
+}
+
+std::string body(const std::string& hamiltonian) {
+    return "hamiltonian = \"" + hamiltonian +
+           "\"\nrotations = [\"R\"]\nangular_momenta = [\"L\"]\n"
+           "[initial]\nR = \"identity\"\nL = [1, 2, 3]\n";
+}
+
+std::vector<HamiltonianPart> parts_of(const std::string& text) {
+    const WrittenOutScene scene = unrolled(scene_from_toml(*source(text, "s.toml")));
+    return with_parts(system_of(scene), scene).parts.value().parts;
+}
+
+std::vector<std::string> flows_of(const std::string& text) {
+    std::vector<std::string> flows;
+    for (const HamiltonianPart& part : parts_of(text)) { flows.push_back(part.flow); }
+    return flows;
+}
+
+/// Returns what moves, `q1` and so on.
+std::string moved(const HamiltonianPart& part) {
+    std::string text;
+    for (const Moved& each : part.moved) {
+        text += (text.empty() ? "" : " ") + std::string(each.is_conjugate ? "p" : "q") +
+                std::to_string(each.component + 1);
+    }
+    return text;
+}
+
+template <class Error>
+Error error_of(const std::string& text) {
+    try {
+        static_cast<void>(parts_of(text));
+    } catch (const Error& error) { return error; }
+    FAIL("nothing is refused");
+    throw;
+}
+
+using Names = std::vector<std::string>;
+
+}  // namespace
+
+TEST_CASE("parts are found among the terms of H") {
+    CHECK(flows_of(planar("px^2/2 + py^2/2 + x^2*y^2")) == Names{"a shear", "a shear"});
+    CHECK(flows_of(planar("(px^2 + py^2 + x^2 + y^2)/2 + x^2*y")) ==
+          Names{"a quadratic form", "a shear"});
+    CHECK(flows_of(planar("(x^2 + px^2)^2 + a*(y^2 + b*py^2)^3")) ==
+          Names{"a function of a quadratic form"});
+}
+
+TEST_CASE("each part moves what it moves") {
+    const std::vector<HamiltonianPart> parts = parts_of(planar("px^2/2 + a*py + x^4*y"));
+    REQUIRE(parts.size() == 2);
+    CHECK(moved(parts[0]) == "q1 q2");
+    CHECK(moved(parts[1]) == "p1 p2");
+    CHECK(moved(parts_of(planar("px*y + x^3/3"))[0]) == "q1 p1 p2");
+}
+
+TEST_CASE("a product of a coordinate with the momentum of another is a shear") {
+    CHECK(flows_of(planar("px*y")) == Names{"a shear"});
+    CHECK(flows_of(planar("x*py - y*px")) == Names{"a shear", "a shear"});
+}
+
+TEST_CASE("turns about the axes of a body are parts of their own") {
+    const std::vector<HamiltonianPart> parts =
+        parts_of(body("L[1]^2/2 + L[2]^2/4 + L[3]^2/6 + R[3,3]"));
+    REQUIRE(parts.size() == 4);
+    CHECK(moved(parts[0]) == "q2 q3 q5 q6 q8 q9 p2 p3");
+    CHECK(moved(parts[1]) == "q1 q3 q4 q6 q7 q9 p1 p3");
+    CHECK(moved(parts[2]) == "q1 q2 q4 q5 q7 q8 p1 p2");
+    CHECK(moved(parts[3]) == "p1 p2");
+    CHECK(parts[2].flow == "a turn about an axis of a body");
+    CHECK(flows_of(body("cos(L[2]) + L[2]^4")) == Names{"a turn about an axis of a body"});
+}
+
+TEST_CASE("parts that are named have to be H") {
+    const auto with = [](const std::string& parts) {
+        return planar("px^2/2 + py^2/2 + a*x^2*y^2", "[split]\n" + parts);
+    };
+    CHECK(flows_of(with("A = \"(px^2 + py^2)/2\"\nB = \"a*x^2*y^2\"\n")).size() == 2);
+    CHECK(flows_of(with("A = \"px^2/2\"\nB = \"py^2/2\"\nC = \"a*(x*y)^2\"\n")).size() == 3);
+    const auto wrong = error_of<InputError>(with("A = \"(px^2 + py^2)/2\"\nB = \"x^2*y^2\"\n"));
+    CHECK(std::string(wrong.what()) == "the parts do not add up to the Hamiltonian");
+    CHECK(wrong.help().find("H minus their sum is ") != std::string::npos);
+    const auto constant =
+        error_of<InputError>(with("A = \"(px^2 + py^2)/2\"\nB = \"a*x^2*y^2 + 1\"\n"));
+    CHECK(std::string(constant.what()) == "the parts do not add up to the Hamiltonian");
+}
+
+TEST_CASE("a part without a known flow is refused with its name and what couples") {
+    const auto refused = error_of<MathError>(
+        planar("px^2/2 + py^2/2 + x^4", "[split]\nA = \"px^2/2 + x^4\"\nB = \"py^2/2\"\n"));
+    CHECK(std::string(refused.what()) ==
+          "the flow of `A` is not known: no flow is known where x, px move");
+    CHECK(refused.place().has_value());
+    CHECK(std::string(error_of<MathError>(planar("x*px*y + py^2/2")).what()).find("no splitting") ==
+          0);
+    CHECK(std::string(error_of<MathError>(body("L[1]*L[2]")).what()).find("no splitting") == 0);
+}
