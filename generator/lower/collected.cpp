@@ -110,6 +110,7 @@ private:
     [[nodiscard]] Scaled shortest(const Scaled& value, const UseCount& uses, double products) {
         Scaled best = value;
         double least = uses_.cost() + products * product_with(value.factor);
+        if (least - cost_without(value.node, uses) <= 1) { return value; }
         for (const Scaled& form : forms(value)) {
             replace(value.node, form.node, uses);
             const double cost = uses_.cost() + products * product_with(form.factor);
@@ -120,6 +121,13 @@ private:
             replace(form.node, value.node, uses);
         }
         return best;
+    }
+
+    [[nodiscard]] double cost_without(Node node, const UseCount& uses) {
+        uses_.drop(node, uses);
+        const double result = uses_.cost();
+        uses_.take(node, uses);
+        return result;
     }
 
     /// Returns a value in Horner's forms, each once, without the value itself.
@@ -133,7 +141,11 @@ private:
             if (!is_new) { continue; }
             for (const HornerForm& form : forms_of(*found)) {
                 const Scaled written = horner(graph_, *found, form);
-                if (written.node != value.node && !written.is_zero()) { result.push_back(written); }
+                const bool is_known =
+                    std::find(result.begin(), result.end(), written) != result.end();
+                // NOTE: not 0, which may be a divisor.
+                const bool is_other = written.node != value.node && !written.is_zero();
+                if (is_other && !is_known) { result.push_back(written); }
             }
         }
         return result;
