@@ -7,6 +7,7 @@
 #include <tuple>
 #include <utility>
 
+#include "generator/expr/functions.hpp"
 #include "generator/graph/horner.hpp"
 #include "generator/graph/polynomial.hpp"
 #include "generator/graph/replaced.hpp"
@@ -64,7 +65,13 @@ public:
     Collecting(Graph& graph, std::vector<Scaled> values)
         : graph_(graph), values_(std::move(values)), uses_(graph), size_(graph.size()) {
         for (const Scaled& value : values_) { uses_.take(value.node, {1, 0}); }
-        for (Node node = 0; node < size_; ++node) { is_shared_.push_back(uses_.of(node).all > 1); }
+        for (Node node = 0; node < size_; ++node) {
+            const Computation& computation = graph.at(node);
+            const std::size_t uses = uses_.of(node).all;
+            is_shared_.push_back(uses > 1);
+            const bool is_call = computation.operation == Operation::call;
+            chooses_ = chooses_ || (uses > 0 && is_call && is_if(computation.name));
+        }
     }
 
     /// NOTE: users come before what they use, so that a polynomial is collected as a whole, and its
@@ -151,16 +158,23 @@ private:
         return result;
     }
 
-    [[nodiscard]] static std::vector<HornerForm> forms_of(const NodePolynomial& polynomial) {
-        const bool has_inverses =
-            std::any_of(polynomial.begin(), polynomial.end(), [](const auto& term) {
-                return std::any_of(term.first.begin(), term.first.end(),
-                                   [](const auto& factor) { return factor.second < 0; });
-            });
+    /// NOTE: roots only where they are needed anyway, outside of choices: elsewhere 1/a may have a
+    /// negative a.
+    [[nodiscard]] std::vector<HornerForm> forms_of(const NodePolynomial& polynomial) const {
+        bool has_inverses = false, have_roots = !chooses_;
+        for (const auto& [powers, coefficient] : polynomial) {
+            for (const auto& [node, twice_exponent] : powers) {
+                if (twice_exponent > 0) { continue; }
+                has_inverses = true;
+                have_roots = have_roots && uses_.has_root(node);
+            }
+        }
         std::vector<HornerForm> result{{false, false, false}, {true, false, false}};
         if (!has_inverses) { return result; }
-        result.insert(result.end(), {{false, true, false}, {true, true, false}});
         result.insert(result.end(), {{false, false, true}, {true, false, true}});
+        if (have_roots) {
+            result.insert(result.end(), {{false, true, false}, {true, true, false}});
+        }
         return result;
     }
 
@@ -191,6 +205,7 @@ private:
     NodeUses uses_;
     std::size_t size_;  ///< of the graph before
     std::vector<bool> is_shared_;
+    bool chooses_ = false;  ///< whether values are chosen, as `if` does
     std::map<Node, Scaled> forms_;
     std::map<std::tuple<bool, bool, Roles>, Expansion> expansions_;
 };

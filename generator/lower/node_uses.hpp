@@ -33,6 +33,11 @@ public:
     [[nodiscard]] UseCount of(Node node) const {
         return node < uses_.size() ? uses_[node] : UseCount{};
     }
+    /// Returns whether the root of a node is in use, or 1/root.
+    [[nodiscard]] bool has_root(Node node) const {
+        const auto found = roots_.find(node);
+        return found != roots_.end() && found->second > 0;
+    }
     /// Returns the cost of all nodes in use, as cost() of kernel.hpp does.
     [[nodiscard]] double cost() const { return cost_; }
 
