@@ -171,6 +171,11 @@ Node Graph::whole(const Scaled& a) {
     return insert(std::move(computation));
 }
 
+Scaled Graph::settled(const Scaled& a) {
+    if (is_number(a)) { return a; }
+    return {{a.factor.above < 0 ? -1 : 1, 1}, whole({a.factor.size(), a.node})};
+}
+
 Scaled Graph::root(const Scaled& a, Operation operation) {
     Computation computation;
     computation.operation = operation;

@@ -114,6 +114,10 @@ public:
     /// is no constant, whatever its arguments are.
     [[nodiscard]] Scaled call(const std::string& function, const std::vector<Scaled>& arguments);
 
+    /// Returns a value with its number multiplied in, except the sign, so that what does not vary
+    /// is computed once with it. Numbers stay as they are.
+    [[nodiscard]] Scaled settled(const Scaled& a);
+
     /// Returns the power from which half_power() made this node, for odd exponents.
     [[nodiscard]] std::optional<HalfPower> half_power_at(Node node) const;
 

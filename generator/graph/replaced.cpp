@@ -11,7 +11,9 @@ namespace {
 
 class Replacing {
 public:
-    Replacing(Graph& graph, const std::map<Node, Scaled>& inputs) : graph_(graph), known_(inputs) {}
+    Replacing(Graph& graph, const std::map<Node, Scaled>& inputs,
+              const std::map<Node, Scaled>& forms)
+        : graph_(graph), known_(inputs), forms_(forms) {}
 
     [[nodiscard]] Scaled operator()(const Scaled& a) { return graph_.times(a.factor, at(a.node)); }
 
@@ -19,15 +21,25 @@ private:
     [[nodiscard]] Scaled at(Node node) {
         const auto found = known_.find(node);
         if (found != known_.end()) { return found->second; }
+        const auto form = forms_.find(node);
+        const Scaled result = form != forms_.end() ? (*this)(form->second) : made_anew(node);
+        known_.emplace(node, result);
+        return result;
+    }
+
+    /// NOTE: a node without changes stays the same, also where it is a number times a parameter.
+    [[nodiscard]] Scaled made_anew(Node node) {
         // NOTE: a copy, since the graph grows.
         const Computation computation = graph_.at(node);
         std::vector<Scaled> arguments;
-        for (const Scaled& term : computation.terms) { arguments.push_back((*this)(term)); }
-        for (const Node argument : computation.arguments) { arguments.push_back(at(argument)); }
-        const Scaled result =
-            arguments.empty() ? Scaled{{1, 1}, node} : made_of(computation, std::move(arguments));
-        known_.emplace(node, result);
-        return result;
+        bool is_same = true;
+        const auto add = [&](const Scaled& before) {
+            arguments.push_back((*this)(before));
+            is_same = is_same && arguments.back() == before;
+        };
+        for (const Scaled& term : computation.terms) { add(term); }
+        for (const Node argument : computation.arguments) { add({{1, 1}, argument}); }
+        return is_same ? Scaled{{1, 1}, node} : made_of(computation, std::move(arguments));
     }
 
     [[nodiscard]] Scaled made_of(const Computation& computation, std::vector<Scaled> arguments) {
@@ -48,12 +60,20 @@ private:
 
     Graph& graph_;
     std::map<Node, Scaled> known_;
+    const std::map<Node, Scaled>& forms_;
 };
 
 }  // namespace
 
 Scaled replaced(Graph& graph, const Scaled& value, const std::map<Node, Scaled>& inputs) {
-    return Replacing(graph, inputs)(value);
+    return Replacing(graph, inputs, {})(value);
+}
+
+std::vector<Scaled> rewritten(Graph& graph, std::vector<Scaled> values,
+                              const std::map<Node, Scaled>& forms) {
+    Replacing replacing(graph, {}, forms);
+    for (Scaled& value : values) { value = replacing(value); }
+    return values;
 }
 
 }  // namespace hvi::gen

@@ -5,19 +5,6 @@
 
 namespace hvi::gen {
 
-namespace {
-
-/// Returns the cost in additions, approximately.
-double cost(const OperationCounts& counts) {
-    constexpr double division = 8, square_root = 8, call = 24;
-    return static_cast<double>(counts.additions + counts.multiplications) +
-           division * static_cast<double>(counts.divisions) +
-           square_root * static_cast<double>(counts.square_roots) +
-           call * static_cast<double>(counts.calls);
-}
-
-}  // namespace
-
 GradientKernels gradient_kernels(const System& system) {
     const std::vector<Scaled> by_q = by_coordinates(system), by_y = by_conjugates(system);
     std::vector<Scaled> both = by_q;

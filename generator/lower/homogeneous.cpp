@@ -9,6 +9,7 @@
 
 #include "generator/graph/replaced.hpp"
 #include "generator/lower/accesses.hpp"
+#include "generator/lower/derivative.hpp"
 #include "generator/lower/slopes.hpp"
 #include "generator/lower/taken_names.hpp"
 #include "generator/support/error.hpp"
@@ -63,10 +64,12 @@ bool is_homogeneous(System& system, const Scaled& T) {
     for (std::size_t k = 0; k < system.accesses.size(); ++k) {
         if (system.accesses[k].kind == FamilyKind::conjugate) { momenta.push_back(k); }
     }
+    const std::vector<Node> p = conjugate_nodes(system);
+    // NOTE: as they are derived, slopes keep the products of T.
+    const std::vector<Scaled> by_p = gradient(system.graph, T, p);
     std::vector<Scaled> terms{system.graph.times({2, 1}, T)};
-    for (const AccessSlope& slope : slopes(system, T, momenta)) {
-        const Scaled p{{1, 1}, system.accesses[slope.access].node};
-        terms.push_back(system.graph.times({-1, 1}, system.graph.product(p, slope.value)));
+    for (std::size_t k = 0; k < p.size(); ++k) {
+        terms.push_back(system.graph.times({-1, 1}, system.graph.product({{1, 1}, p[k]}, by_p[k])));
     }
     const auto form = linear_form(system, system.graph.sum(std::move(terms)), momenta);
     return form && form->empty();

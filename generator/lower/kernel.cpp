@@ -2,6 +2,7 @@
 #include "generator/lower/kernel.hpp"
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 namespace hvi::gen {
@@ -20,7 +21,9 @@ void count(const Graph& graph, Kernel& kernel, Node node) {
     case Operation::input: break;
     case Operation::sum:
         counts.additions += computation.terms.size() - 1;
-        for (const Scaled& term : computation.terms) { count_factor(counts, term.factor); }
+        for (const Scaled& term : computation.terms) {
+            if (!graph.is_number(term)) { count_factor(counts, term.factor); }
+        }
         break;
     case Operation::product:
         if (std::none_of(computation.arguments.begin(), computation.arguments.end(),
@@ -29,11 +32,24 @@ void count(const Graph& graph, Kernel& kernel, Node node) {
         }
         break;
     case Operation::inverse: ++counts.divisions; break;
-    case Operation::inverse_square_root: ++counts.divisions; [[fallthrough]];
-    case Operation::square_root: ++counts.square_roots; break;
+    case Operation::inverse_square_root: ++counts.divisions; break;
+    case Operation::square_root: break;
     case Operation::power:
     case Operation::call: ++counts.calls; break;
     }
+}
+
+/// Returns the number of roots. NOTE: compilers compute sqrt(a) once, also where 1/sqrt(a) is
+/// needed.
+std::size_t count_roots(const Graph& graph, const Kernel& kernel) {
+    std::set<Node> arguments;
+    for (const Node node : kernel.nodes) {
+        const Computation& computation = graph.at(node);
+        const bool is_root = computation.operation == Operation::square_root ||
+                             computation.operation == Operation::inverse_square_root;
+        if (is_root) { arguments.insert(computation.arguments.front()); }
+    }
+    return arguments.size();
 }
 
 std::vector<Node> divisors(const Graph& graph, const Kernel& kernel) {
@@ -129,6 +145,7 @@ Kernel kernel(const Graph& graph, std::vector<Scaled> results, IsGiven is_given)
     kernel.nodes = Schedule(graph, kernel.nodes).order(results);
     kernel.divisors = divisors(graph, kernel);
     for (const Node node : kernel.nodes) { count(graph, kernel, node); }
+    kernel.counts.square_roots = count_roots(graph, kernel);
     for (const Scaled& result : results) {
         if (!graph.is_number(result)) { count_factor(kernel.counts, result.factor); }
     }
@@ -173,6 +190,13 @@ OperationCounts& OperationCounts::operator+=(const OperationCounts& more) {
     square_roots += more.square_roots;
     calls += more.calls;
     return *this;
+}
+
+double cost(const OperationCounts& counts) {
+    return static_cast<double>(counts.additions + counts.multiplications) +
+           cost_of_division * static_cast<double>(counts.divisions) +
+           cost_of_root * static_cast<double>(counts.square_roots) +
+           cost_of_call * static_cast<double>(counts.calls);
 }
 
 bool Kernel::is_divisor(Node node) const {

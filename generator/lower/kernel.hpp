@@ -18,6 +18,10 @@ struct OperationCounts {
     friend bool operator==(const OperationCounts&, const OperationCounts&) = default;
 };
 
+/// Costs in additions, approximately.
+inline constexpr double cost_of_division = 8, cost_of_root = 8, cost_of_call = 24;
+[[nodiscard]] double cost(const OperationCounts& counts);
+
 /// Straight-line code: nodes in an order in which they can be computed from given ones.
 struct Kernel {
     std::vector<Node> given;  ///< nodes that the code uses and does not compute, ascending

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "generator/graph/replaced.hpp"
+#include "generator/lower/collected.hpp"
 #include "generator/lower/totals.hpp"
 
 namespace hvi::gen {
@@ -77,6 +78,9 @@ public:
         }
         for (auto& terms : forces_) { sites_.forces.push_back(system_.graph.sum(terms)); }
         for (auto& terms : velocities_) { sites_.velocities.push_back(system_.graph.sum(terms)); }
+        // NOTE: terms of several sums meet at a site.
+        sites_.forces = collected(system_.graph, sites_.forces);
+        sites_.velocities = collected(system_.graph, sites_.velocities);
         return true;
     }
 

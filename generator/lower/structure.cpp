@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "generator/lower/collected.hpp"
 #include "generator/lower/constancy.hpp"
 #include "generator/lower/derivative.hpp"
 #include "generator/lower/loop_structure.hpp"
@@ -83,17 +84,25 @@ std::vector<Scaled> product(System& system, const Matrix& K) {
     return result;
 }
 
-/// Returns the constant terms of a sum.
-Scaled constant_terms(Graph& graph, const Scaled& entry) {
-    const Computation& sum = graph.at(entry.node);
-    if (!varies(sum.roles)) { return entry; }
-    std::vector<Scaled> constant;
-    if (sum.operation == Operation::sum) {
-        for (const Scaled& term : sum.terms) {
-            if (!varies(graph.at(term.node).roles)) { constant.push_back(term); }
+/// Adds the constant terms of a sum, and of sums in it. NOTE: the derivative of q (a + b q^2) has
+/// a + b q^2 for a term.
+void add_constant_terms(Graph& graph, const Scaled& entry, std::vector<Scaled>& constant) {
+    const Computation& computation = graph.at(entry.node);
+    if (!varies(computation.roles)) {
+        constant.push_back(entry);
+    } else if (computation.operation == Operation::sum) {
+        // NOTE: a copy, since the graph grows.
+        const std::vector<Scaled> terms = computation.terms;
+        for (const Scaled& term : terms) {
+            add_constant_terms(graph, graph.times(entry.factor, term), constant);
         }
     }
-    return graph.times(entry.factor, graph.sum(std::move(constant)));
+}
+
+Scaled constant_terms(Graph& graph, const Scaled& entry) {
+    std::vector<Scaled> constant;
+    add_constant_terms(graph, entry, constant);
+    return graph.sum(std::move(constant));
 }
 
 bool is_diagonal(const Matrix& matrix) {
@@ -164,6 +173,20 @@ void set_direction(Structure& found, System& system) {
     found.qq_along = gradient(system.graph, along, coordinate_nodes(system));
 }
 
+/// Collects all entries together.
+void collect(Graph& graph, Hessian& second) {
+    std::vector<Scaled*> entries;
+    for (Matrix* block : {&second.qq, &second.mixed, &second.conjugates}) {
+        for (std::vector<Scaled>& row : *block) {
+            for (Scaled& entry : row) { entries.push_back(&entry); }
+        }
+    }
+    std::vector<Scaled> values;
+    for (const Scaled* entry : entries) { values.push_back(*entry); }
+    values = collected(graph, values);
+    for (std::size_t k = 0; k < entries.size(); ++k) { *entries[k] = values[k]; }
+}
+
 /// Returns the second derivatives, added to the graph. Entries that are proved to be constant do
 /// not vary in it.
 Hessian hessian(System& system) {
@@ -176,6 +199,7 @@ Hessian hessian(System& system) {
         second.mixed.push_back(gradient(graph, by_q[i], y));
         second.conjugates.push_back(gradient(graph, by_y[i], y));
     }
+    collect(graph, second);
     if (rotations_of(system) == 0) { share_zeros(second.qq); }
     share_zeros(second.conjugates);
     // NOTE: the derivatives of a function with a kink may be constant on both sides of it, with two

@@ -181,6 +181,11 @@ TEST_CASE("what Newton's method by products conserves does not drift") {
 
     Relativistic3 chain;
     auto y = Relativistic3::initial();
+    // NOTE: the motion from the start of the scene is chaotic, and where the error is largest is
+    // seen at times that rounding decides.
+    for (auto* part : {&y.q, &y.p}) {
+        for (double& value : *part) { value /= 4; }
+    }
     const double energy = chain.energy(y);
     std::array<double, 2> error{};  // of the first half and of the other
     for (int step = 0; step < steps; ++step) {

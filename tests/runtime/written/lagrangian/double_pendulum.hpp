@@ -127,10 +127,10 @@ public:
 
         template <class Matrix>
         constexpr void d2Ldq2(const Vector& q, const Vector& v, Matrix& out) const {
-            const Scalar t1 = v[0] * v[1] * c3_ * hvi::math::cos(q[0] - q[1]);
-            out(0, 0) = -(hvi::math::cos(q[0]) * c4_ + t1);
+            const Scalar t1 = hvi::math::cos(q[0] - q[1]) * c3_ * (v[0] * v[1]);
+            out(0, 0) = -(t1 + hvi::math::cos(q[0]) * c4_);
             out(1, 0) = t1;
-            out(1, 1) = -(hvi::math::cos(q[1]) * c5_ + t1);
+            out(1, 1) = -(t1 + hvi::math::cos(q[1]) * c5_);
             for (std::size_t i = 1; i < 2; ++i) {
                 for (std::size_t j = 0; j < i; ++j) { out(j, i) = out(i, j); }
             }

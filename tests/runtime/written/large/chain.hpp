@@ -122,16 +122,9 @@ public:
             const V a2 = hvi::detail::Stretch<V>::load(q + (e - 1));
             const V a3 = hvi::detail::Stretch<V>::load(q + (e + 1));
             const V t1 = a1 - a2;
-            const V t2 = t1 * t1;
-            const V t3 = Scalar(0.5) + Scalar(0.5) * (c2_ * t2)
-                + Scalar(1) / Scalar(3) * (c1_ * t1);
-            const V t4 = a1 - a3;
-            const V t5 = t4 * t4;
-            const V t6 = Scalar(0.5) + Scalar(0.5) * (c2_ * t5)
-                - Scalar(1) / Scalar(3) * (c1_ * t4);
-            const V t7 = Scalar(1) / Scalar(3) * (c1_ * t2) + Scalar(2.0) * (t1 * t3)
-                - (Scalar(1) / Scalar(3) * (c1_ * t5) - Scalar(2.0) * (t4 * t6));
-            out[0] = V(t7);
+            const V t2 = a1 - a3;
+            const V t3 = t1 + t1 * t1 * (c1_ + c2_ * t1) + (t2 - t2 * t2 * (c1_ - c2_ * t2));
+            out[0] = V(t3);
         }
 
         /// Force on any site.
@@ -144,10 +137,7 @@ public:
                     const Scalar a1 = q[q_at_ + (i + 1)];
                     const Scalar a2 = q[q_at_ + (i)];
                     const Scalar t1 = a1 - a2;
-                    const Scalar t2 = t1 * t1;
-                    const Scalar t3 = Scalar(0.5) + Scalar(0.5) * (c2_ * t2)
-                        + Scalar(1) / Scalar(3) * (c1_ * t1);
-                    out[0] += Scalar(1) / Scalar(3) * (c1_ * t2) + Scalar(2.0) * (t1 * t3);
+                    out[0] += t1 + t1 * t1 * (c1_ + c2_ * t1);
                 }
             }
             {
@@ -156,28 +146,19 @@ public:
                     const Scalar a1 = q[q_at_ + (i + 1)];
                     const Scalar a2 = q[q_at_ + (i)];
                     const Scalar t1 = a1 - a2;
-                    const Scalar t2 = t1 * t1;
-                    const Scalar t3 = Scalar(0.5) + Scalar(0.5) * (c2_ * t2)
-                        + Scalar(1) / Scalar(3) * (c1_ * t1);
-                    out[0] += -(Scalar(1) / Scalar(3) * (c1_ * t2) + Scalar(2.0) * (t1 * t3));
+                    out[0] += -(t1 + t1 * t1 * (c1_ + c2_ * t1));
                 }
             }
             {
                 if (k[0] == 1) {
                     const Scalar a1 = q[q_at_ + (1)];
-                    const Scalar t1 = a1 * a1;
-                    const Scalar t2 = Scalar(0.5) + Scalar(0.5) * (c2_ * t1)
-                        + Scalar(1) / Scalar(3) * (c1_ * a1);
-                    out[0] += Scalar(1) / Scalar(3) * (c1_ * t1) + Scalar(2.0) * (a1 * t2);
+                    out[0] += a1 + a1 * a1 * (c1_ + c2_ * a1);
                 }
             }
             {
                 if (k[0] == N_) {
                     const Scalar a1 = q[q_at_ + (N_)];
-                    const Scalar t1 = a1 * a1;
-                    const Scalar t2 = Scalar(0.5) + Scalar(0.5) * (c2_ * t1)
-                        - Scalar(1) / Scalar(3) * (c1_ * a1);
-                    out[0] += -(Scalar(1) / Scalar(3) * (c1_ * t1) - Scalar(2.0) * (a1 * t2));
+                    out[0] += a1 - a1 * a1 * (c1_ - c2_ * a1);
                 }
             }
         }

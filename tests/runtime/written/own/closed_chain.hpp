@@ -143,7 +143,7 @@ public:
                     const Scalar a1 = q[q_at_ + (i)];
                     const Scalar a2 = q[q_at_ + (i + 1)];
                     const Scalar t1 = hvi::math::exp(Scalar(0.5) * (a1 - a2));
-                    out[0] += -Scalar(10.0) * (t1 * (Scalar(1.0) - t1));
+                    out[0] += -Scalar(10.0) * t1 * (Scalar(1.0) - t1);
                 }
             }
             {
@@ -152,7 +152,7 @@ public:
                     const Scalar a1 = q[q_at_ + (i)];
                     const Scalar a2 = q[q_at_ + (i + 1)];
                     const Scalar t1 = hvi::math::exp(Scalar(0.5) * (a1 - a2));
-                    out[0] += Scalar(10.0) * (t1 * (Scalar(1.0) - t1));
+                    out[0] += Scalar(10.0) * t1 * (Scalar(1.0) - t1);
                 }
             }
         }

@@ -58,9 +58,9 @@
 // Cost:
 //
 //     16 unknowns are solved for in a step
-//     dH/dq once: 7 additions, 22 multiplications, 1 division, 4 calls
+//     dH/dq once: 7 additions, 19 multiplications, 1 division, 4 calls
 //     dH/dp once: 4 additions, 10 multiplications, 1 division, 2 calls
-//     second derivatives once, where Newton's method is needed: 18 additions, 67 multiplications, 3
+//     second derivatives once, where Newton's method is needed: 20 additions, 57 multiplications, 3
 //         divisions, 8 calls
 //     evaluations in a step of one iteration: 4 of dH/dq, 4 of dH/dp
 //
@@ -116,17 +116,28 @@ public:
         using Vector = Numbers;
 
         constexpr explicit System(const Parameters& parameters) {
-            const Scalar t1 = parameters.l2 * parameters.l2;
-            const Scalar t2 = parameters.m1 + parameters.m2;
-            const Scalar t3 = parameters.l1 * parameters.l1;
+            const Scalar t1 = parameters.m2 * parameters.l1 * parameters.l2;
+            const Scalar t2 = parameters.l2 * parameters.l2;
+            const Scalar t3 = parameters.m2 * t2;
+            const Scalar t4 = parameters.l1 * parameters.l1;
+            const Scalar t5 = Scalar(1.0) / (parameters.m2 * t4 * t2);
+            const Scalar t6 = parameters.m2 * t5;
+            const Scalar t7 = parameters.m1 + parameters.m2;
+            const Scalar t8 = t7 * t4;
             c1_ = parameters.m1;
             c2_ = parameters.m2;
-            c3_ = parameters.m2 * t1;
-            c4_ = t2 * t3;
-            c5_ = parameters.m2 * parameters.l1 * parameters.l2;
-            c6_ = Scalar(1.0) / (parameters.m2 * t3 * t1);
-            c7_ = parameters.g * t2 * parameters.l1;
-            c8_ = parameters.m2 * parameters.g * parameters.l2;
+            c3_ = t1;
+            c4_ = t5;
+            c5_ = parameters.g * t7 * parameters.l1;
+            c6_ = parameters.m2 * parameters.g * parameters.l2;
+            c7_ = t3 * t5 * parameters.m2;
+            c8_ = t8 * t5 * parameters.m2;
+            c9_ = Scalar(2.0) * t6;
+            c10_ = t3;
+            c11_ = t8;
+            c12_ = Scalar(2.0) * (t1 * t5 * parameters.m2);
+            c13_ = Scalar(2.0) * (t1 * t6);
+            c14_ = Scalar(4.0) * parameters.m2;
         }
 
         constexpr void dHdq(const Vector& q, const Vector& p, Vector& out) const {
@@ -134,20 +145,19 @@ public:
             const Scalar t2 = std::cos(t1);
             const Scalar t3 = std::sin(t1);
             const Scalar t4 = Scalar(1.0) / (c1_ + t3 * t3 * c2_);
-            const Scalar t5 = p[0] * p[1];
-            const Scalar t6 = p[0] * p[0] * c3_ + p[1] * p[1] * c4_ - Scalar(2.0) * (t2 * c5_ * t5);
-            const Scalar t7 = t6 * c6_ * (t4 * t4) * c2_ * t3 * t2 - c6_ * t4 * t5 * c5_ * t3;
-            out[0] = c7_ * std::sin(q[0]) - t7;
-            out[1] = c8_ * std::sin(q[1]) + t7;
+            const Scalar t5 = p[1] * (t2 * c3_ * p[0] * c9_ - p[1] * c8_) - p[0] * p[0] * c7_;
+            const Scalar t6 = t3 * (t4 * t4 * (t2 * t5) + p[0] * p[1] * (c4_ * t4 * c3_));
+            out[0] = c5_ * std::sin(q[0]) + t6;
+            out[1] = c6_ * std::sin(q[1]) - t6;
         }
 
         constexpr void dHdp(const Vector& q, const Vector& p, Vector& out) const {
             const Scalar t1 = q[0] - q[1];
             const Scalar t2 = std::sin(t1);
-            const Scalar t3 = c6_ / (c1_ + t2 * t2 * c2_);
-            const Scalar t4 = std::cos(t1) * c5_ * t3;
-            out[0] = -(p[1] * t4 - c3_ * t3 * p[0]);
-            out[1] = -(p[0] * t4 - c4_ * t3 * p[1]);
+            const Scalar t3 = c4_ / (c1_ + t2 * t2 * c2_);
+            const Scalar t4 = std::cos(t1) * c3_ * t3;
+            out[0] = -(p[1] * t4 - c10_ * t3 * p[0]);
+            out[1] = -(p[0] * t4 - c11_ * t3 * p[1]);
         }
 
         template <class Matrix>
@@ -155,19 +165,18 @@ public:
             const Scalar t1 = q[0] - q[1];
             const Scalar t2 = std::cos(t1);
             const Scalar t3 = std::sin(t1);
-            const Scalar t4 = Scalar(1.0) / (c1_ + t3 * t3 * c2_);
-            const Scalar t5 = t4 * t4;
-            const Scalar t6 = t2 * t3 * c2_;
-            const Scalar t7 = p[0] * p[1];
-            const Scalar t8 = p[0] * p[0] * c3_ + p[1] * p[1] * c4_ - Scalar(2.0) * (t2 * c5_ * t7);
-            const Scalar t9 = t8 * c6_;
-            const Scalar t10 = t9 * t5 * c2_;
-            const Scalar t11 = t5 * (Scalar(2.0) * (t9 * t6 * t4) - c5_ * t3 * t7 * c6_) * c2_;
-            const Scalar t12 = t2 * (c6_ * t4 * t7 * c5_ - t2 * t10 + Scalar(2.0) * (t3 * t11));
-            const Scalar t13 = t12 + t3 * (t3 * t10 - Scalar(2.0) * (t5 * t6 * c6_ * t7 * c5_));
-            out(0, 0) = std::cos(q[0]) * c7_ + t13;
-            out(1, 0) = -t13;
-            out(1, 1) = std::cos(q[1]) * c8_ + t13;
+            const Scalar t4 = t3 * t3;
+            const Scalar t5 = Scalar(1.0) / (c1_ + c2_ * t4);
+            const Scalar t6 = t5 * t5;
+            const Scalar t7 = t3 * t6;
+            const Scalar t8 = p[0] * p[1];
+            const Scalar t9 = p[1] * (t2 * c3_ * p[0] * c9_ - p[1] * c8_) - p[0] * p[0] * c7_;
+            const Scalar t10 = t6 * (t9 * (Scalar(1.0) - t4 * t5 * c14_) * t2 - t4 * c12_ * t8);
+            const Scalar t11 = t2 * (c4_ * t5 * c3_ * t8 + t10) - t3 * (t9 * t7
+                + t2 * t7 * t8 * c13_);
+            out(0, 0) = std::cos(q[0]) * c5_ + t11;
+            out(1, 0) = -t11;
+            out(1, 1) = std::cos(q[1]) * c6_ + t11;
             for (std::size_t i = 1; i < 2; ++i) {
                 for (std::size_t j = 0; j < i; ++j) { out(j, i) = out(i, j); }
             }
@@ -177,16 +186,18 @@ public:
         constexpr void d2Hdqdp(const Vector& q, const Vector& p, Matrix& out) const {
             const Scalar t1 = q[0] - q[1];
             const Scalar t2 = std::cos(t1);
-            const Scalar t3 = std::sin(t1);
-            const Scalar t4 = Scalar(1.0) / (c1_ + t3 * t3 * c2_);
-            const Scalar t5 = t4 * t4 * (t2 * t3 * c2_) * c6_;
-            const Scalar t6 = c6_ * t4 * (c5_ * t3) + Scalar(2.0) * (t2 * c5_ * t5);
-            const Scalar t7 = p[0] * t6 - Scalar(2.0) * (c4_ * t5 * p[1]);
-            const Scalar t8 = p[1] * t6 - Scalar(2.0) * (c3_ * t5 * p[0]);
+            const Scalar t3 = t2 * c3_;
+            const Scalar t4 = std::sin(t1);
+            const Scalar t5 = Scalar(1.0) / (c1_ + t4 * t4 * c2_);
+            const Scalar t6 = c4_ * t5 * c3_ * t4;
+            const Scalar t7 = t5 * t5 * t4 * t2;
+            const Scalar t8 = p[1] * t7 * c9_ * t3 + p[1] * t6 - Scalar(2.0) * (c7_ * t7 * p[0]);
+            const Scalar t9 = p[1] * c8_;
+            const Scalar t10 = p[0] * t6 - t7 * (t9 - (p[0] * t3 * c9_ - t9));
             out(0, 0) = t8;
-            out(0, 1) = t7;
+            out(0, 1) = t10;
             out(1, 0) = -t8;
-            out(1, 1) = -t7;
+            out(1, 1) = -t10;
         }
 
         template <class Matrix>
@@ -194,10 +205,10 @@ public:
             {
             const Scalar t1 = q[0] - q[1];
             const Scalar t2 = std::sin(t1);
-            const Scalar t3 = c6_ / (c1_ + t2 * t2 * c2_);
-            out(0, 0) = c3_ * t3;
-            out(1, 0) = -std::cos(t1) * c5_ * t3;
-            out(1, 1) = c4_ * t3;
+            const Scalar t3 = c4_ / (c1_ + t2 * t2 * c2_);
+            out(0, 0) = c10_ * t3;
+            out(1, 0) = -std::cos(t1) * c3_ * t3;
+            out(1, 1) = c11_ * t3;
             for (std::size_t i = 1; i < 2; ++i) {
                 for (std::size_t j = 0; j < i; ++j) { out(j, i) = out(i, j); }
             }
@@ -206,10 +217,10 @@ public:
         [[nodiscard]] constexpr Scalar energy(const Vector& q, const Vector& p) const {
             const Scalar t1 = q[0] - q[1];
             const Scalar t2 = std::sin(t1);
-            const Scalar t3 = p[0] * p[0] * c3_ + p[1] * p[1] * c4_
-                - Scalar(2.0) * (std::cos(t1) * c5_ * (p[0] * p[1]));
-            const Scalar t4 = Scalar(0.5) * (c6_ / (c1_ + t2 * t2 * c2_) * t3)
-                - std::cos(q[0]) * c7_ - std::cos(q[1]) * c8_;
+            const Scalar t3 = p[0] * p[0] * c10_ + p[1] * p[1] * c11_
+                - Scalar(2.0) * (std::cos(t1) * c3_ * (p[0] * p[1]));
+            const Scalar t4 = Scalar(0.5) * (c4_ / (c1_ + t2 * t2 * c2_) * t3)
+                - std::cos(q[0]) * c5_ - std::cos(q[1]) * c6_;
             return t4;
         }
 
@@ -233,6 +244,12 @@ public:
         Scalar c6_ = 0;
         Scalar c7_ = 0;
         Scalar c8_ = 0;
+        Scalar c9_ = 0;
+        Scalar c10_ = 0;
+        Scalar c11_ = 0;
+        Scalar c12_ = 0;
+        Scalar c13_ = 0;
+        Scalar c14_ = 0;
     };
 
     using Solver = hvi::NewtonOfPairs;
