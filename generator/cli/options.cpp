@@ -66,6 +66,10 @@ struct WishReader {
     void operator()(Solver StepperWishes::*member) const {
         if (const auto solver = words.choice<Solver>(option)) wishes.*member = *solver;
     }
+    void operator()(Wish<int> StepperWishes::*member) const {
+        if (const auto number = words.whole_number(option))
+            wishes.*member = {*number, whole(words.value(option))};
+    }
     void operator()(Unroll StepperWishes::*member) const {
         if (const auto unroll = words.choice<Unroll>(option)) wishes.*member = *unroll;
     }

@@ -128,6 +128,7 @@ RunLength wished_length(const Scene& scene, const RunOptions& options) {
 /// NOTE: what is interpreted computes one number after the other.
 StepperWishes wishes_of(const RunOptions& options, bool interprets) {
     StepperWishes wishes = simulation_wishes(options.wishes.solver, options.wishes.composition);
+    wishes.sweeps = options.wishes.sweeps;
     wishes.lanes = options.wishes.lanes;
     if (interprets) wishes.lanes = {Lanes::none};
     wishes.unroll = options.wishes.unroll;

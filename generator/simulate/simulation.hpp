@@ -29,6 +29,7 @@ struct Conserved {
     double start = 0;
     double largest = 0;  ///< the largest departure from the start; NaN or infinite where it is lost
     double last = 0;     ///< the departure at the end, with its sign
+    double drift = 0;    ///< the slope of the departures over the run, by least squares, a step
 };
 
 /// The status of a run that an interruption has stopped.
