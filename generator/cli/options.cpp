@@ -319,6 +319,7 @@ ReportOptions report_options(const Words& words, const CommandLine& line) {
     options.steps = words.value("--steps");
     if (options.steps && options.steps->text == "auto") options.steps.reset();
     options.until = words.value("--until");
+    options.sweeps = words.whole_number("--sweeps").value_or(0);
     options.items = items_of_report(words);
     options.output = output_option(words);
     if (options.scenes.empty() && options.items.contains(ReportItem::work))

@@ -248,6 +248,7 @@ WishedRun advised_run(const RunOptions& options, const Runner& runner) {
     MethodOptions method_options = options.method;
     method_options.name = given("--method", advice.method);
     StepperWishes wishes = simulation_wishes(advice.solver, advice.composition);
+    wishes.sweeps.choice = advice.sweeps;
     wishes.unroll = options.wishes.unroll;
     MethodAndScene both = read_scene(method_options, options.system);
     const RunLength length = both.scene.scale

@@ -28,19 +28,6 @@ void check_solver(const Step& step, const StepperWishes& wishes, const Place& pl
                      place, "--solver newton takes any H");
 }
 
-/// Returns the reason why no sweeps are counted in a step; empty where they are.
-std::string obstacle_to_sweeps(const Step& step) {
-    if (std::holds_alternative<TabulatedStep>(step.form)) {
-        return "nothing is iterated, as a step is one linear map";
-    }
-    if (step.iteration() == nullptr) { return "nothing is iterated, as the step is explicit"; }
-    if (std::holds_alternative<ChartStep>(step.form)) { return "it is not built for rotations"; }
-    if (std::holds_alternative<GalerkinStep>(step.form)) {
-        return "it is not built for steps that are solved for the velocities of a curve";
-    }
-    return "";
-}
-
 /// Refuses counted sweeps where there are none.
 void check_sweeps(const Step& step, const StepperWishes& wishes) {
     if (wishes.sweeps.choice == 0) return;
@@ -161,6 +148,18 @@ void check_vectors(const Step& step, const Method& method, const StepperWishes& 
 }
 
 }  // namespace
+
+std::string obstacle_to_sweeps(const Step& step) {
+    if (std::holds_alternative<TabulatedStep>(step.form)) {
+        return "nothing is iterated, as a step is one linear map";
+    }
+    if (step.iteration() == nullptr) { return "nothing is iterated, as the step is explicit"; }
+    if (std::holds_alternative<ChartStep>(step.form)) { return "it is not built for rotations"; }
+    if (std::holds_alternative<GalerkinStep>(step.form)) {
+        return "it is not built for steps that are solved for the velocities of a curve";
+    }
+    return "";
+}
 
 void check_newton(const System& system, const Step& step, const Place& place) {
     const Iteration* iteration = step.iteration();

@@ -326,6 +326,7 @@ Measurement measurement(const Answers& answers) {
     result.iterations = answers.integer("iterations");
     result.evaluations = answers.integer("evaluations");
     result.departures = answers.numbers("largest");
+    result.drifts = answers.numbers("drift");
     if (answers.has("error")) {
         result.end = DistanceOfEnd{answers.number("error")};
     } else {

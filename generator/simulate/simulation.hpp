@@ -207,6 +207,7 @@ struct Measurement {
     std::int64_t iterations = 0;     ///< iterations of the solver
     std::int64_t evaluations = 0;    ///< evaluations of dH/dq
     std::vector<double> departures;  ///< the largest, for each conserved quantity
+    std::vector<double> drifts;      ///< likewise; see Conserved
     std::variant<EndOfRun, DistanceOfEnd> end;
     double seconds = 0;  ///< the median of repetitions; 0 where none was timed
     double spread = 0;   ///< the middle half of these, as a part of the median; NaN for one alone

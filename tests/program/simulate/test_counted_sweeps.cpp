@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
 
 #include "tests/program/simulate/scene_run.hpp"
 
@@ -97,4 +98,39 @@ TEST_CASE("the derivative of counted sweeps is that of exactly these") {
         }
     }
     CHECK(apart > 1e-5);
+}
+
+TEST_CASE("a report shows counted sweeps beside steps to round-off, and marks them") {
+    use_cache();
+    const Directory directory;
+    const Outcome outcome = hvi_gen({"report", "kepler", "--methods", "stormer-verlet, gauss:4",
+                                     "--steps", "1/10, 1/20", "--until", "10", "--sweeps", "2",
+                                     "--only", "json,work", "--no-symmetries"},
+                                    directory.path());
+    INFO(outcome.err);
+    REQUIRE(outcome.status == 0);
+    const auto report = nlohmann::json::parse(contents(directory / "report/report.json"));
+    const auto& methods = report.at("scenes")[0].at("methods");
+    REQUIRE(methods.size() == 3);
+    const auto &whole = methods[1], &counted = methods[2];
+    CHECK(whole.at("name") == "gauss:4");
+    CHECK_FALSE(whole.contains("sweeps"));
+    CHECK(counted.at("name") == "gauss:4 (2 sweeps)");
+    CHECK(counted.at("sweeps") == 2);
+    CHECK(counted.at("conserved").empty());
+    const auto& points = counted.at("points");
+    REQUIRE(points.size() == 2);
+    for (std::size_t k = 0; k < 2; ++k) {
+        const auto& point = points[k];
+        // Two steps of sixteen sweeps more.
+        const double steps = point.at("steps");
+        CHECK(point.at("iterations") == Approx(2 + 32 / steps));
+        CHECK(point.at("error") != whole.at("points")[k].at("error"));
+        CHECK(std::abs(point.at("drift").get<double>()) * steps < 1e-3);
+        CHECK(point.at("drift") != 0);
+    }
+    const std::string note = report.at("notes")[0];
+    CHECK(note.rfind("gauss:4 (2 sweeps) on kepler is explicit, and symplectic up to the last "
+                     "change alone; the energy drifts by ",
+                     0) == 0);
 }
