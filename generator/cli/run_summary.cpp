@@ -49,12 +49,6 @@ std::string said_of(const Conserved& kept, const std::vector<Statement>& stateme
         is_known ? fmt::format("; {}{}", keeping_text(statement->keeping), but) : "");
 }
 
-/// Returns what the steps of counted sweeps are.
-std::string said_of_sweeps(int sweeps) {
-    return fmt::format("explicit: exactly {} sweep{}; symplectic up to the last change alone",
-                       sweeps, sweeps == 1 ? "" : "s");
-}
-
 /// Returns the drift of the energy, and what it is of |H|.
 std::string said_of_drift(const Conserved& energy) {
     const double size = std::abs(energy.start);
@@ -101,7 +95,7 @@ std::string summary(const WishedRun& wished, const Simulation& run, const Monito
     line("method", subject.title);
     const Iteration* iteration = wished.stepper.step.iteration();
     const int sweeps = iteration == nullptr ? 0 : iteration->sweeps;
-    if (sweeps > 0) line("sweeps", said_of_sweeps(sweeps));
+    if (sweeps > 0) line("sweeps", sweeps_text(sweeps));
     line("steps", fmt::format("{} of {}{}, until t = {:.10g}", run.steps, asked.size,
                               wished.clock ? " in scaled time" : "", run.t));
     if (run.stopped_by) line("stopped", fmt::format("by the event `{}`", *run.stopped_by));

@@ -40,8 +40,8 @@ constexpr const char* swept_methods[] = {"gauss:4", "gauss:8"};
 
 /// Numbers of sweeps that may do, as each gains one or two digits.
 std::vector<int> sweeps_for(double accuracy) {
-    if (accuracy >= 1e-5) return {2, 3, 4};
-    return accuracy >= 1e-9 ? std::vector{3, 4, 6} : std::vector{4, 6, 8};
+    if (accuracy >= 1e-5) return {3, 4, 6};
+    return accuracy >= 1e-9 ? std::vector{4, 6, 8} : std::vector{6, 8};
 }
 
 ComposedMethod named(const char* name) { return composed_method(given("--accuracy", name)); }

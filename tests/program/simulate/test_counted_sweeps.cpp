@@ -100,6 +100,42 @@ TEST_CASE("the derivative of counted sweeps is that of exactly these") {
     CHECK(apart > 1e-5);
 }
 
+TEST_CASE("a study and a module of counted sweeps say what they are") {
+    use_cache();
+    const Directory directory;
+    const Outcome study = hvi_gen({"ensemble", "pendulum", "--sweeps", "2", "--vary", "q=0:1:2",
+                                   "--until", "1", "-o", "study"},
+                                  directory.path());
+    INFO(study.err);
+    REQUIRE(study.status == 0);
+    CHECK(study.out.find("sweeps       explicit: exactly 2 sweeps; symplectic up to the last "
+                         "change alone\n") != std::string::npos);
+    REQUIRE(hvi_gen({"module", "pendulum", "--sweeps", "2"}, directory.path()).status == 0);
+    CHECK(contents(directory / "pendulum.h").find("of exactly 2 sweeps each: symplectic up to") !=
+          std::string::npos);
+}
+
+TEST_CASE("counted sweeps are in the race for an accuracy, marked, but for an action") {
+    use_cache();
+    const Directory directory;
+    const auto table = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> words{"stepper",    "pendulum", "--until", "5",
+                                       "--accuracy", "1e-4",     "-o",      "x.hpp"};
+        words.insert(words.end(), more.begin(), more.end());
+        const Outcome found = hvi_gen(words, directory.path());
+        INFO(found.err);
+        REQUIRE(found.status == 0);
+        return found.err;
+    };
+    const std::string all = table({});
+    for (const std::string name : {"gauss:4 (3 sweeps)", "gauss:8 (4 sweeps)"}) {
+        const std::size_t row = all.find(name);
+        REQUIRE(row != std::string::npos);
+        CHECK(all.substr(row, all.find('\n', row) - row).find(" explicit ") != std::string::npos);
+    }
+    CHECK(table({"--action"}).find("sweeps)") == std::string::npos);
+}
+
 TEST_CASE("a report shows counted sweeps beside steps to round-off, and marks them") {
     use_cache();
     const Directory directory;
