@@ -25,7 +25,11 @@ Scene scene_of(const AccuracyQuestion& question) {
     return read_scene(any, question.system).scene;
 }
 
-std::string text(Solver solver) { return solver == Solver::fixed_point ? "fixed-point" : "auto"; }
+/// NOTE: counted sweeps are marked, as their steps are symplectic up to the last change alone.
+std::string solver_of(const Candidate& candidate) {
+    if (candidate.sweeps > 0) return "explicit";
+    return candidate.solver == Solver::fixed_point ? "fixed-point" : "auto";
+}
 
 /// Returns why there is no run at the accuracy: either no step count would reach it, or smaller
 /// steps would not be faster.
@@ -36,13 +40,14 @@ std::string why_not(const WorkCurve& curve, double accuracy, double seconds) {
     return fmt::format("dropped: {:.0f} times or so", predicted / seconds);
 }
 
-std::string row(const WorkCurve& curve, Solver solver, double accuracy, double seconds) {
+std::string row(const WorkCurve& curve, const Candidate& candidate, double accuracy,
+                double seconds) {
     const auto there = cheapest(curve, accuracy);
     WorkPoint point = there.value_or(curve.points.back());
     const std::string remark = there ? fmt::format("{:.2f} times", point.seconds / seconds)
                                      : why_not(curve, accuracy, seconds);
     return fmt::format("  {:<29} {:<12} {:<10.4g} {:>9} {:>8.1e} {:>9}  {}\n", curve.name,
-                       text(solver), point.h, point.steps, point.error,
+                       solver_of(candidate), point.h, point.steps, point.error,
                        point.seconds > 0 ? duration(point.seconds) : "", remark);
 }
 
@@ -59,7 +64,7 @@ std::string table(const Advice& advice, double accuracy) {
         return a && (!b || a->seconds < b->seconds);
     });
     for (const std::size_t i : order)
-        rows += row(advice.curves[i], advice.candidates[i].solver, accuracy, advice.point.seconds);
+        rows += row(advice.curves[i], advice.candidates[i], accuracy, advice.point.seconds);
     return rows;
 }
 
@@ -103,6 +108,7 @@ AdvisedOptions advised(const AccuracyQuestion& question) {
                               end,
                               std::max<std::int64_t>(1, count),
                               question.has_curve,
+                              question.has_action,
                               question.seconds,
                               question.system.sums};
     const Advice found = advice(builds, scene, wishes);
@@ -113,8 +119,9 @@ AdvisedOptions advised(const AccuracyQuestion& question) {
     const std::string size =
         scene.scale ? step + " in scaled time" : fmt::format("{} = {:.6g}", step, found.point.h);
     const std::string note =
-        fmt::format("advised for an error of {} at t = {}: steps of {}, with an error of {:.2e}",
-                    accuracy, end, size, found.point.error);
+        fmt::format("advised for an error of {} at t = {}: steps of {}, with an error of {:.2e}{}",
+                    accuracy, end, size, found.point.error,
+                    chosen.sweeps > 0 ? "; symplectic up to the last change of a step alone" : "");
     std::fputs(fmt::format("errors of at most {} on {} at t = {}, beside {}{}\n{}", accuracy,
                            scene.name, end, found.reference.kind,
                            found.reference.kind == "exact" ? " values" : "", table(found, accuracy))
@@ -131,6 +138,7 @@ AdvisedOptions advised(const AccuracyQuestion& question) {
                   found.point.error);
     return {chosen.method.method.name,
             chosen.solver,
+            chosen.sweeps,
             chosen.method.composition,
             {found.point.h, found.point.steps},
             end,

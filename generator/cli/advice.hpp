@@ -19,13 +19,15 @@ struct AccuracyQuestion {
     double accuracy = 0;
     double seconds = 60;     ///< seconds that runs may take
     bool has_curve = false;  ///< whether a curve of the steps is asked for, which compositions lack
-    bool explain = false;    ///< whether to compare measured costs with the model of costs
+    bool has_action = false;  ///< and their action, which counted sweeps lack
+    bool explain = false;     ///< whether to compare measured costs with the model of costs
 };
 
 /// Replacements for options that are not given.
 struct AdvisedOptions {
     std::string method;
     Solver solver = Solver::automatic;
+    int sweeps = 0;  ///< counted ones; 0: the solver ends them
     std::optional<Composition> composition;
     Steps steps{};
     double until = 0;  ///< the end

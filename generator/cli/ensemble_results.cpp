@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <optional>
 
+#include "generator/cli/run_wishes.hpp"
 #include "generator/cli/words.hpp"
 #include "generator/draw/map.hpp"
 #include "generator/drive/ensemble_row.hpp"
@@ -84,6 +85,8 @@ private:
 std::string summary_of(const Study& study, const Counts& counts, const EnsembleOptions& options) {
     std::string text = fmt::format("study        {}\nrows         {}: {}\nsteps        {:.10g}\n",
                                    study.title, study.rows, counts.statuses(), counts.steps());
+    if (const int sweeps = options.wishes.sweeps.choice; sweeps > 0)
+        text += fmt::format("sweeps       {}\n", sweeps_text(sweeps));
     if (const auto energy = counts.energy()) text += fmt::format("energy       {}\n", *energy);
     if (!options.random.empty()) text += fmt::format("seed         {}\n", options.seed);
     return text +

@@ -16,6 +16,7 @@ namespace {
 
 StepperWishes wishes_of(const EnsembleOptions& options) {
     StepperWishes wishes = simulation_wishes(options.wishes.solver, options.wishes.composition);
+    wishes.sweeps = options.wishes.sweeps;
     wishes.unroll = options.wishes.unroll;
     if (options.interpret) wishes.lanes = {Lanes::none};
     return wishes;

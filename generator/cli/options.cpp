@@ -66,6 +66,10 @@ struct WishReader {
     void operator()(Solver StepperWishes::*member) const {
         if (const auto solver = words.choice<Solver>(option)) wishes.*member = *solver;
     }
+    void operator()(Wish<int> StepperWishes::*member) const {
+        if (const auto number = words.whole_number(option))
+            wishes.*member = {*number, whole(words.value(option))};
+    }
     void operator()(Unroll StepperWishes::*member) const {
         if (const auto unroll = words.choice<Unroll>(option)) wishes.*member = *unroll;
     }
@@ -320,6 +324,7 @@ ReportOptions report_options(const Words& words, const CommandLine& line) {
     options.steps = words.value("--steps");
     if (options.steps && options.steps->text == "auto") options.steps.reset();
     options.until = words.value("--until");
+    options.sweeps = words.whole_number("--sweeps").value_or(0);
     options.items = items_of_report(words);
     options.output = output_option(words);
     if (options.scenes.empty() && options.items.contains(ReportItem::work))

@@ -149,6 +149,7 @@ struct ReportOptions {
     std::optional<Place> edges;  ///< the option that asks for some of these items by name
     UnrollWish sums = {};        ///< the choice for sums of the scenes
     bool symmetries = true;      ///< whether to look for them
+    int sweeps = 0;              ///< counted ones of methods that are measured with these too
     std::set<ReportItem> items;  ///< work only where there are scenes
     std::optional<std::filesystem::path> output;  ///< a directory
 };

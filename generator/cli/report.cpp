@@ -196,8 +196,25 @@ void note_events(Report& report, const Scene& scene) {
         report.notes.push_back(fmt::format("steps of {} end at kinks of its H", scene.name));
 }
 
+/// A sentence on the drift of counted sweeps, in the runs of fewest and of most steps.
+void note_sweeps(Report& report, const SceneReport& scene) {
+    for (const WorkCurve& curve : scene.curves) {
+        if (curve.sweeps == 0) continue;
+        std::string drift;
+        for (const WorkPoint& point : curve.points) {
+            const bool is_end = &point == &curve.points.front() || &point == &curve.points.back();
+            if (is_end && point.ok() && std::isfinite(point.drift))
+                drift += fmt::format("{} by {:.1e} a step of h = {:.3g}", drift.empty() ? "" : ",",
+                                     point.drift, point.h);
+        }
+        report.notes.push_back(
+            fmt::format("{} on {} is explicit, and symplectic up to the last change alone{}{}",
+                        curve.name, scene.name, drift.empty() ? "" : "; the energy drifts", drift));
+    }
+}
+
 /// Sets the verdicts on each method beside what was measured. NOTE: curves of methods come first,
-/// in the order of the methods.
+/// in the order of the methods; those of counted sweeps keep nothing for sure.
 void set_kept(SceneReport& of_scene, const Watched& watched,
               const std::vector<StudiedMethod>& methods) {
     const std::vector<std::string>& names = watched.names;
@@ -230,6 +247,7 @@ void add_scenes(Report& report, Builds& builds, const std::vector<Subject>& subj
             study(builds, subject.scene, subject.until, subject.first_count, wishes, of_scene,
                   report.time_spent);
             note_reference(report, of_scene);
+            note_sweeps(report, of_scene);
             set_kept(of_scene, subject.watched, wishes.methods);
         } catch (const Error& error) {
             report.incomplete = name_of(subject) + ": " + error.what();
@@ -351,6 +369,7 @@ void run(const ReportOptions& options) {
     try {
         StudyWishes wishes;
         wishes.sums = options.sums;
+        wishes.sweeps = options.sweeps;
         if (options.peers) find_peers(builds, wishes, report);
         if (options.items.contains(ReportItem::work))
             add_scenes(report, builds, subjects, exact, std::move(wishes));

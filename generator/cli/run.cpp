@@ -128,6 +128,7 @@ RunLength wished_length(const Scene& scene, const RunOptions& options) {
 /// NOTE: what is interpreted computes one number after the other.
 StepperWishes wishes_of(const RunOptions& options, bool interprets) {
     StepperWishes wishes = simulation_wishes(options.wishes.solver, options.wishes.composition);
+    wishes.sweeps = options.wishes.sweeps;
     wishes.lanes = options.wishes.lanes;
     if (interprets) wishes.lanes = {Lanes::none};
     wishes.unroll = options.wishes.unroll;
@@ -247,6 +248,7 @@ WishedRun advised_run(const RunOptions& options, const Runner& runner) {
     MethodOptions method_options = options.method;
     method_options.name = given("--method", advice.method);
     StepperWishes wishes = simulation_wishes(advice.solver, advice.composition);
+    wishes.sweeps.choice = advice.sweeps;
     wishes.unroll = options.wishes.unroll;
     MethodAndScene both = read_scene(method_options, options.system);
     const RunLength length = both.scene.scale

@@ -30,8 +30,9 @@ std::string left_out(const Steps& asked) {
 
 /// Returns the start of a quantity, its measured errors, and the knowledge about it. NOTE: a
 /// quantity that is not conserved at all energies may be conserved at the run's energy, so its
-/// changes are no errors.
-std::string said_of(const Conserved& kept, const std::vector<Statement>& statements) {
+/// changes are no errors. `counts_sweeps`: the steps are symplectic up to their last change alone.
+std::string said_of(const Conserved& kept, const std::vector<Statement>& statements,
+                    bool counts_sweeps) {
     const auto statement =
         std::find_if(statements.begin(), statements.end(),
                      [&](const Statement& each) { return each.name == kept.name; });
@@ -40,9 +41,19 @@ std::string said_of(const Conserved& kept, const std::vector<Statement>& stateme
         return fmt::format(
             "{:.10g}; {}; on this run {} changed by {:.2e} at most, {:.2e} at the end", kept.start,
             statement->reason, kept.name, kept.largest, kept.last);
-    return fmt::format("{:.10g}, largest error {:.2e}, at the end {:.2e}{}", kept.start,
-                       kept.largest, kept.last,
-                       is_known ? fmt::format("; {}", keeping_text(statement->keeping)) : "");
+    const bool is_kept = is_known && statement->keeping == Keeping::kept;
+    const char* const but =
+        counts_sweeps && is_kept ? ", but for the last change of each step" : "";
+    return fmt::format(
+        "{:.10g}, largest error {:.2e}, at the end {:.2e}{}", kept.start, kept.largest, kept.last,
+        is_known ? fmt::format("; {}{}", keeping_text(statement->keeping), but) : "");
+}
+
+/// Returns the drift of the energy, and what it is of |H|.
+std::string said_of_drift(const Conserved& energy) {
+    const double size = std::abs(energy.start);
+    return fmt::format("{:.2e} of the energy a step{}", energy.drift,
+                       size > 0 ? fmt::format(", {:.2e} of |H|", energy.drift / size) : "");
 }
 
 /// Returns `section, 12 times`.
@@ -82,6 +93,9 @@ std::string summary(const WishedRun& wished, const Simulation& run, const Monito
     };
     line("scene", subject.scene + (subject.description.empty() ? "" : ": " + subject.description));
     line("method", subject.title);
+    const Iteration* iteration = wished.stepper.step.iteration();
+    const int sweeps = iteration == nullptr ? 0 : iteration->sweeps;
+    if (sweeps > 0) line("sweeps", sweeps_text(sweeps));
     line("steps", fmt::format("{} of {}{}, until t = {:.10g}", run.steps, asked.size,
                               wished.clock ? " in scaled time" : "", run.t));
     if (run.stopped_by) line("stopped", fmt::format("by the event `{}`", *run.stopped_by));
@@ -97,7 +111,10 @@ std::string summary(const WishedRun& wished, const Simulation& run, const Monito
         if (run.iterations > 0)
             line("iterations", fmt::format("{:.2f} a step", per_step(run.iterations, run.steps)));
     }
-    for (const Conserved& kept : run.conserved) line(kept.name, said_of(kept, wished.statements));
+    for (const Conserved& kept : run.conserved) {
+        line(kept.name, said_of(kept, wished.statements, sweeps > 0));
+        if (sweeps > 0 && kept.name == "energy") line("drift", said_of_drift(kept));
+    }
     for (std::size_t i = 0; i < run.reduced.size(); ++i)
         line(wished.reductions[i].name, fmt::format("{:.10g}", run.reduced[i]));
     for (std::size_t i = 0; i < run.events.size(); ++i)

@@ -27,6 +27,11 @@ std::string duration(double seconds) {
     return fmt::format("{:.3g} s", seconds);
 }
 
+std::string sweeps_text(int sweeps) {
+    return fmt::format("explicit: exactly {} sweep{}; symplectic up to the last change alone",
+                       sweeps, sweeps == 1 ? "" : "s");
+}
+
 void make_directory(const std::filesystem::path& path) {
     std::error_code error;
     std::filesystem::create_directories(path, error);

@@ -1,4 +1,4 @@
-// Common parts of `run` and `report`.
+// Common parts of `run`, `report` and `ensemble`.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
@@ -19,6 +19,9 @@ namespace hvi::gen {
 
 /// Returns `1.2 ms`.
 [[nodiscard]] std::string duration(double seconds);
+
+/// Returns what steps of so many counted sweeps are.
+[[nodiscard]] std::string sweeps_text(int sweeps);
 
 /// Makes a directory and the missing ones above it. Throws EnvironmentError.
 void make_directory(const std::filesystem::path& path);

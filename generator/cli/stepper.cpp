@@ -73,7 +73,7 @@ void write_advised(const StepperOptions& options) {
     const InterruptionsHeld held;
     const AdvisedOptions advice =
         advised({options.method.parameters, *options.system, options.until, *options.accuracy,
-                 options.budget, options.wishes.dense, options.explain});
+                 options.budget, options.wishes.dense, options.wishes.action, options.explain});
     if (!advice.shortfall.empty())
         throw MathError(advice.shortfall, {},
                         "ask for less, for an earlier end by --until, or for more by --budget");
@@ -81,6 +81,7 @@ void write_advised(const StepperOptions& options) {
     method_options.name = given("--method", advice.method);
     StepperWishes wishes = options.wishes;
     wishes.solver = advice.solver;
+    wishes.sweeps.choice = advice.sweeps;
     wishes.composition = advice.composition;
     const MethodAndScene both = read_scene(method_options, *options.system);
     wishes.note = advice.note;

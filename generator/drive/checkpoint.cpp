@@ -116,8 +116,8 @@ std::optional<Checkpoint> read(std::string_view text, std::string& key) {
     const auto count = reader.number<std::int64_t>("departures");
     for (std::int64_t k = 0; k < count && reader.is_right(); ++k) {
         const std::vector<double> each = reader.numbers<double>("departure");
-        if (each.size() != 3) return {};
-        all.departures.push_back({each[0], each[1], each[2]});
+        if (each.size() != 6) return {};
+        all.departures.push_back({each[0], each[1], each[2], each[3], each[4], each[5]});
     }
     all.motion = reader.number<double>("motion");
     all.motions = reader.number<std::int64_t>("motions");
@@ -157,7 +157,8 @@ std::string text(const Checkpoint& checkpoint, const std::string& key) {
     lines.numbers("state", checkpoint.state);
     lines.numbers("departures", Integers{static_cast<std::int64_t>(checkpoint.departures.size())});
     for (const detail::Departure& each : checkpoint.departures)
-        lines.numbers("departure", Reals{each.start, each.largest, each.last});
+        lines.numbers("departure", Reals{each.start, each.largest, each.last, each.looks, each.sum,
+                                         each.moment});
     lines.numbers("motion", Reals{checkpoint.motion});
     lines.numbers("motions", Integers{checkpoint.motions});
     lines.numbers("counts", checkpoint.counts);

@@ -325,6 +325,9 @@ private:
             driver::say("start", departure.start);
             driver::say("largest", departure.largest);
             driver::say("last", departure.last);
+            // NOTE: not each step is looked at.
+            const auto steps = static_cast<double>(std::max<std::int64_t>(1, taken()));
+            driver::say("drift", departure.slope() * departure.looks / steps);
         }
         driver::say("motion", motion_.mean());
         for (const double result : reductions_.results()) driver::say("reduced", result);

@@ -150,8 +150,7 @@ std::string obstacle_of(const Step& step) {
     if (step.layout != Layout::one) return "it takes no stages side by side";
     if (!step.in_a_row.empty()) return "compositions of steps that are solved for are to come";
     const Iteration* iteration = step.iteration();
-    if (iteration != nullptr && iteration->solver != Solver::automatic &&
-        iteration->solver != Solver::fixed_point)
+    if (iteration != nullptr && iteration->solver != Solver::automatic && !iteration->only_sweeps())
         return "Newton's method is to come";
     return std::visit([](const auto& form) { return obstacle_of(form); }, step.form);
 }

@@ -266,8 +266,7 @@ public:
         if (!iteration) return;
         starting_.emplace(*iteration);
         for (const Block& block : step.blocks)
-            if (block.coupled)
-                blocks_.push_back({BlockIndices(block), StageSolver(iteration->solver)});
+            if (block.coupled) blocks_.push_back({BlockIndices(block), StageSolver(*iteration)});
     }
 
     [[nodiscard]] Status take(InterpretedState& x, double h) override {

@@ -5,6 +5,7 @@
 #include <hvi/detail/module/loaded_solvers.hpp>
 #include <hvi/detail/solvers/automatic.hpp>
 #include <hvi/fixed_point.hpp>
+#include <hvi/fixed_sweeps.hpp>
 
 #include "generator/interpret/system_program.hpp"
 #include "generator/ir/step.hpp"
@@ -22,14 +23,16 @@ struct NewtonToCome {
     };
 };
 
-/// Fixed points, alone or for as long as they contract. Throws SolverIsApart where Newton's method
-/// is called for.
+/// Fixed points, alone, for as long as they contract, or of counted sweeps. Throws SolverIsApart
+/// where Newton's method is called for.
 class StageSolver {
 public:
-    explicit StageSolver(Solver solver) : is_automatic_(solver == Solver::automatic) {}
+    explicit StageSolver(const Iteration& iteration)
+        : is_automatic_(iteration.solver == Solver::automatic), sweeps_(iteration.sweeps) {}
 
     template <class Coupled>
     [[nodiscard]] Status solve(Coupled coupled) {
+        if (sweeps_ > 0) return counted_.solve(coupled, sweeps_);
         return is_automatic_ ? automatic_.solve(coupled) : fixed_point_.solve(coupled);
     }
 
@@ -37,8 +40,10 @@ private:
     using Vector = InterpretedSystem::Vector;
 
     bool is_automatic_;
+    int sweeps_;  ///< counted ones; 0: they end at round-off
     Automatic<NewtonToCome>::Iteration<Vector> automatic_;
     FixedPoint::Iteration<Vector> fixed_point_;
+    detail::CountedSweeps<Vector> counted_;
 };
 
 }  // namespace hvi::gen

@@ -187,7 +187,7 @@ public:
           tables_(step),
           system_(std::move(system)),
           s_(system_, step.positions.size()),
-          solver_(tables_.form.iteration.solver),
+          solver_(tables_.form.iteration),
           starting_(tables_.form.iteration),
           force_(system_.program().coordinates()) {
         for (const Block& block : step.blocks) {

@@ -17,6 +17,10 @@ bool Iteration::takes_newton() const {
     return solver == Solver::newton || solver == Solver::automatic;
 }
 
+bool Iteration::only_sweeps() const {
+    return solver == Solver::fixed_point || solver == Solver::sweeps;
+}
+
 std::size_t Step::coupled_blocks() const {
     return static_cast<std::size_t>(std::count_if(
         blocks.begin(), blocks.end(), [](const Block& block) { return block.coupled; }));

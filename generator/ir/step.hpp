@@ -148,7 +148,10 @@ enum class Solver {
                     ///< general Galerkin form, NewtonOfCharts for rotations, else NewtonOfPairs
     newton_taylor,  ///< hvi::NewtonTaylor
     automatic,      ///< hvi::Automatic: fixed points while they contract, else Newton's method
+    sweeps,         ///< hvi::FixedSweeps: so many sweeps of fixed points, see Iteration::sweeps
 };
+
+inline constexpr int most_sweeps = 100;
 
 /// Slopes of a step from those of the last one: L_i = sum_j N_ij L_j, with N in `last`; where there
 /// is `before`, that times those of the step before the last one is added. Of h unchanged.
@@ -160,12 +163,17 @@ struct Extrapolation {
 /// How stage equations are solved.
 struct Iteration {
     Solver solver = Solver::of_user;
+    int sweeps = 0;  ///< of Solver::sweeps; else 0
     /// Starting values of each of the steps in a row, or of the one step; empty: it begins with
     /// slopes at the start.
     std::vector<Extrapolation> extrapolation;
 
     /// Newton's method may be called for.
     [[nodiscard]] bool takes_newton() const;
+    /// Fixed points are iterated, and nothing else.
+    [[nodiscard]] bool only_sweeps() const;
+    /// Sweeps are counted, not ended at round-off: steps are symplectic up to the last change.
+    [[nodiscard]] bool counts_sweeps() const { return solver == Solver::sweeps; }
     /// Slopes are extrapolated to steps of several sizes.
     [[nodiscard]] bool takes_parts() const { return extrapolation.size() > 1; }
 };

@@ -56,6 +56,7 @@ std::string_view text(Solver solver) {
     case Solver::newton: return "newton";
     case Solver::newton_taylor: return "newton-taylor";
     case Solver::automatic: return "automatic";
+    case Solver::sweeps: return "sweeps";
     }
     HVI_CHECK(false);
     return {};
@@ -109,6 +110,7 @@ std::string line(const Block& block) {
 
 std::string lines(const Iteration& iteration) {
     std::string result = fmt::format("solver: {}\n", text(iteration.solver));
+    if (iteration.counts_sweeps()) { result += fmt::format("sweeps: {}\n", iteration.sweeps); }
     for (const Extrapolation& from : iteration.extrapolation) {
         result += lines("N", from.last);
         if (from.before) { result += lines("N_before", *from.before); }

@@ -88,6 +88,8 @@ void verify_order(const Step& step) {
 }
 
 void verify_iteration(const Step& step, const Iteration& iteration) {
+    HVI_CHECK(iteration.counts_sweeps() ? 0 < iteration.sweeps && iteration.sweeps <= most_sweeps
+                                        : iteration.sweeps == 0);
     const std::vector<Extrapolation>& all = iteration.extrapolation;
     if (all.empty()) { return; }
     HVI_CHECK(all.size() == std::max<std::size_t>(1, step.in_a_row.size()));
@@ -230,6 +232,7 @@ void verify_form(const Step& step, const GalerkinStep& form) {
     verify_curve(step, form.form, form.rounded);
     HVI_CHECK(step.slopes != Slopes::one_by_one);
     HVI_CHECK(form.side == Side::hamiltonian || step.slopes == Slopes::joint);
+    verify_iteration(step, form.iteration);
     HVI_CHECK(form.iteration.extrapolation.empty() &&
               (!form.has_adjoint || !step.in_a_row.empty()));
     if (!form.extrapolation) { return; }

@@ -107,6 +107,12 @@ std::string about(const SceneStepper& stepper) {
     writer.comment(fmt::format("A stepper of the scene {} with {}.{}{}", system.name,
                                stepper.method.title(), system.description.empty() ? "" : " ",
                                system.description));
+    const Iteration* iteration = stepper.step.iteration();
+    if (iteration != nullptr && iteration->counts_sweeps()) {
+        writer.comment(fmt::format("Its steps are explicit, of exactly {} sweep{} each: symplectic "
+                                   "up to the last change alone.",
+                                   iteration->sweeps, iteration->sweeps == 1 ? "" : "s"));
+    }
     return writer.str();
 }
 

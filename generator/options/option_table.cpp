@@ -109,6 +109,10 @@ constexpr auto command_names = [] {
 /// NOTE: needed by options for systems; the class of a user does not support them.
 constexpr Relation a_system{"SCENE|--hamiltonian"};
 
+constexpr Relation sweeps_or_solver{.others = "--solver",
+                                    .what = "--sweeps is a solver of its own: it does not go with "
+                                            "{}"};
+
 constexpr std::array table = {
     OptionEntry{.name = "SCENE",
                 .of = {check, stepper, scheme, run, ensemble, module, symmetries},
@@ -246,6 +250,30 @@ constexpr std::array table = {
                 .choices = solvers,
                 .help = "Solver for the stages",
                 .wish = &StepperWishes::solver},
+    OptionEntry{.name = "--sweeps",
+                .of = {stepper},
+                .value = Value::whole,
+                .placeholder = "K",
+                .range = {1, most_sweeps},
+                .help = "Explicit steps of K sweeps: not for long runs",
+                .needs = {.others = a_system.others,
+                          .help = "the class of a header for any H takes hvi::FixedSweeps<K>"},
+                .excludes = sweeps_or_solver,
+                .wish = &StepperWishes::sweeps},
+    OptionEntry{.name = "--sweeps",
+                .of = {run, ensemble, module},
+                .value = Value::whole,
+                .placeholder = "K",
+                .range = {1, most_sweeps},
+                .help = "Explicit steps of K sweeps: not for long runs",
+                .excludes = sweeps_or_solver,
+                .wish = &StepperWishes::sweeps},
+    OptionEntry{.name = "--sweeps",
+                .of = {report},
+                .value = Value::whole,
+                .placeholder = "K",
+                .range = {1, most_sweeps},
+                .help = "Measure explicit steps of K sweeps, too"},
     OptionEntry{.name = "--lanes",
                 .of = {stepper},
                 .value = Value::choice,
@@ -366,7 +394,7 @@ constexpr std::array table = {
         .help = "Choose the fastest METHOD and steps for this error",
         .needs = {.others = "SCENE", .help = "one that has a start and an end, such as kepler"},
         .excludes = {.others = "--method --basis --nodes --weights --method-file --solver "
-                               "--lanes --compose --step",
+                               "--sweeps --lanes --compose --step",
                      .what = "--accuracy chooses what {} gives"}},
     OptionEntry{.name = "--budget",
                 .of = {stepper, run},

@@ -112,7 +112,7 @@ struct Relation {
 /// The member of the wishes that an option sets.
 using WishMember =
     std::variant<std::monostate, bool StepperWishes::*, Solver StepperWishes::*,
-                 Wish<Lanes> StepperWishes::*, Unroll StepperWishes::*,
+                 Wish<int> StepperWishes::*, Wish<Lanes> StepperWishes::*, Unroll StepperWishes::*,
                  std::optional<Composition> StepperWishes::*, Given StepperWishes::*>;
 
 /// A row of the table. An option may have several rows for different commands, with one meaning.

@@ -35,6 +35,10 @@ struct Quotation {
     std::string operator()(Solver StepperWishes::*member) const {
         return option_for(option, wishes.*member, usual.*member);
     }
+    std::string operator()(Wish<int> StepperWishes::*member) const {
+        const int wished = (wishes.*member).choice;
+        return wished == 0 ? "" : name() + " " + std::to_string(wished);
+    }
     std::string operator()(Unroll StepperWishes::*member) const {
         return option_for(option, wishes.*member, usual.*member);
     }

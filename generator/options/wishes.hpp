@@ -24,6 +24,7 @@ struct Wish {
 struct StepperWishes {
     bool separable = false;  ///< H = T(p) + U(q), for a class of the user
     Solver solver = Solver::automatic;
+    Wish<int> sweeps = {};  ///< so many a step; 0: as many as the solver takes
     Wish<Lanes> lanes = {Lanes::automatic};
     Unroll unroll = Unroll::automatic;            ///< whether sums are written out
     bool energy = false;                          ///< the energy as a member

@@ -27,6 +27,7 @@ StepToEmit to_emit(const SceneStepper& stepper) {
 StepperWishes wishes_of_carrier(const StepperWishes& wishes) {
     StepperWishes result;
     result.solver = wishes.solver;
+    result.sweeps = wishes.sweeps;
     result.unroll = wishes.unroll;
     result.composition = wishes.composition;
     result.float128 = wishes.float128;
@@ -41,7 +42,8 @@ bool has_pairs(const Step& step) {
 }
 
 /// Whether the steps themselves carry directions: those that solve nothing, and those whose
-/// unknowns are stages of an H that is written out.
+/// unknowns are stages of an H that is written out. NOTE: counted sweeps leave no equations to
+/// differentiate. The same sweeps of the motion together with a direction are their derivative.
 bool carries_along(const SceneStepper& stepper, const StepperWishes& wishes) {
     const Step& step = stepper.step;
     if (step.container != Container::arrays || stepper.system.side != Side::hamiltonian ||
@@ -49,7 +51,7 @@ bool carries_along(const SceneStepper& stepper, const StepperWishes& wishes) {
         return false;
     }
     if (std::holds_alternative<ExplicitStep>(step.form)) { return true; }
-    return !step.from_parameter && step.iteration() != nullptr &&
+    return !step.from_parameter && step.iteration() != nullptr && wishes.sweeps.choice == 0 &&
            (has_pairs(step) || std::holds_alternative<VelocityStep>(step.form));
 }
 

@@ -28,6 +28,19 @@ void check_solver(const Step& step, const StepperWishes& wishes, const Place& pl
                      place, "--solver newton takes any H");
 }
 
+/// Refuses counted sweeps where there are none.
+void check_sweeps(const Step& step, const StepperWishes& wishes) {
+    if (wishes.sweeps.choice == 0) return;
+    const std::string obstacle = obstacle_to_sweeps(step);
+    if (!obstacle.empty())
+        throw InputError("--sweeps does not go with this method on this H: " + obstacle,
+                         wishes.sweeps.place, "leave it out");
+    if (wishes.action)
+        throw InputError("--action does not go with --sweeps, whose steps are symplectic up to "
+                         "the last change alone and have no generating function",
+                         wishes.sweeps.place);
+}
+
 void check_lanes(const Step& step, const StepperWishes& wishes) {
     const Wish<Lanes>& wished = wishes.lanes;
     if (wished.choice != Lanes::stages) return;
@@ -136,6 +149,18 @@ void check_vectors(const Step& step, const Method& method, const StepperWishes& 
 
 }  // namespace
 
+std::string obstacle_to_sweeps(const Step& step) {
+    if (std::holds_alternative<TabulatedStep>(step.form)) {
+        return "nothing is iterated, as a step is one linear map";
+    }
+    if (step.iteration() == nullptr) { return "nothing is iterated, as the step is explicit"; }
+    if (std::holds_alternative<ChartStep>(step.form)) { return "it is not built for rotations"; }
+    if (std::holds_alternative<GalerkinStep>(step.form)) {
+        return "it is not built for steps that are solved for the velocities of a curve";
+    }
+    return "";
+}
+
 void check_newton(const System& system, const Step& step, const Place& place) {
     const Iteration* iteration = step.iteration();
     const bool takes_newton = iteration != nullptr && iteration->takes_newton();
@@ -203,6 +228,7 @@ void check_splitting(const System& system, const Method& method, const StepperWi
 
 void check_step(const Step& step, const Method& method, const StepperWishes& wishes,
                 const Place& place) {
+    check_sweeps(step, wishes);
     if (step.container == Container::vectors) {
         check_vectors(step, method, wishes, place);
         return;

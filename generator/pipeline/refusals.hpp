@@ -21,6 +21,9 @@ void check_wishes_of_any_size(const StepperWishes& wishes, const Place& place);
 /// no second derivatives for it.
 void check_newton(const System& system, const Step& step, const Place& place);
 
+/// Returns the reason why no sweeps are counted in a step; empty where they can be.
+[[nodiscard]] std::string obstacle_to_sweeps(const Step& step);
+
 /// Throws InputError where --lanes gpu is wished for and the system calls a function that no device
 /// has. Precondition: the system is written out.
 void check_functions_on_device(const System& system, const StepperWishes& wishes);

@@ -81,7 +81,8 @@ OneStepMethod exchanged(OneStepMethod method) {
 Step planned(const OneStepMethod& method, const SystemProperties& system,
              const StepperWishes& wishes) {
     return plan(method, system,
-                {.solver = wishes.solver,
+                {.solver = wishes.sweeps.choice > 0 ? Solver::sweeps : wishes.solver,
+                 .sweeps = wishes.sweeps.choice,
                  .lanes = wishes.lanes.choice,
                  .curve = wishes.dense,
                  .action = wishes.action});

@@ -41,6 +41,14 @@ std::string obstacle_in_form(const Step& step) {
     return obstacle_in_stages(step);
 }
 
+/// Returns whether steps of eight trajectories would differ from those of one. NOTE: counted sweeps
+/// end at a distance from the solution that depends on where they begin, and eight remember the
+/// slopes of one step alone.
+bool differs_side_by_side(const Iteration& iteration) {
+    return iteration.counts_sweeps() && !iteration.extrapolation.empty() &&
+           iteration.extrapolation.front().before.has_value();
+}
+
 /// Returns whether iterations wait for operands more than they compute.
 ///
 /// NOTE: measured with AVX-512, gauss:8, registers of 4 against those of 8: Kepler 0.76 of the
@@ -63,8 +71,8 @@ std::string obstacle_to_stage_lanes(const Step& step) {
     if (step.from_parameter) { return "the coefficients depend on a parameter"; }
     if (std::holds_alternative<GalerkinStep>(step.form)) { return of_curves; }
     if (std::holds_alternative<ChartStep>(step.form)) { return of_charts; }
-    const Solver solver = step.iteration()->solver;
-    if (solver != Solver::fixed_point && solver != Solver::automatic) {
+    const Iteration& iteration = *step.iteration();
+    if (!iteration.only_sweeps() && iteration.solver != Solver::automatic) {
         return "they are built for fixed points, and for these and Newton's method in turn";
     }
     return step.positions.size() == 1 ? "there is one stage" : obstacle_in_stages(step);
@@ -72,7 +80,7 @@ std::string obstacle_to_stage_lanes(const Step& step) {
 
 std::string obstacle_to_ensemble(const Step& step) {
     const Iteration* iteration = step.iteration();
-    if (iteration != nullptr && iteration->solver != Solver::fixed_point) {
+    if (iteration != nullptr && !iteration->only_sweeps()) {
         return "they are iterated by fixed points";
     }
     return obstacle_in_form(step);
@@ -81,13 +89,16 @@ std::string obstacle_to_ensemble(const Step& step) {
 bool may_go_side_by_side(const Step& step) {
     const Iteration* iteration = step.iteration();
     const bool is_open = iteration == nullptr || iteration->solver == Solver::automatic ||
-                         iteration->solver == Solver::fixed_point;
+                         (iteration->only_sweeps() && !differs_side_by_side(*iteration));
     return is_open && obstacle_in_form(step).empty();
 }
 
 std::string obstacle_to_threads(const Step& step) {
     if (std::holds_alternative<VelocityStep>(step.form)) {
         return "it is solved for positions alone";
+    }
+    if (step.iteration() != nullptr && step.iteration()->counts_sweeps()) {
+        return "its sweeps end at round-off, and are not counted";
     }
     return obstacle_to_ensemble(step);
 }

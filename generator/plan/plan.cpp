@@ -335,8 +335,9 @@ Solver solver_for(const StepWishes& wishes) {
 }
 
 bool may_tabulate(const SystemProperties& system, const StepWishes& wishes) {
+    const Solver solver = solver_for(wishes);
     return system.has_linear_map && system.hessian == HessianForm::dense &&
-           solver_for(wishes) == Solver::automatic && !wishes.needs_slopes();
+           (solver == Solver::automatic || solver == Solver::sweeps) && !wishes.needs_slopes();
 }
 
 /// Returns the lanes. NOTE: the sums of (4.19) take one stage after the other.
@@ -348,7 +349,7 @@ Step planned_in_charts(Step step, const OneStepMethod& method, const SystemPrope
     check_no_parameter(method);
     set_charts(step);
     if (system.depends_on_time) { set_times(step, position_times(step)); }
-    set_solver(step, solver_for(wishes), system);
+    set_solver(step, solver_for(wishes), wishes.sweeps, system);
     return step;
 }
 
@@ -408,7 +409,7 @@ Step planned_as_one(const Tableau& tableau, const OneStepMethod& method,
     } else if (system.kinetic_is_quadratic && !composition) {
         eliminate_momenta(step, system);
     }
-    set_solver(step, solver_for(wishes), system);
+    set_solver(step, solver_for(wishes), wishes.sweeps, system);
     set_lanes(step, lanes_for(wishes), system);
     set_corrections(step, system);
     return step;
@@ -452,7 +453,7 @@ Step planned_as_curves(Step step, const OneStepMethod& method, const SystemPrope
     const auto* tableau = std::get_if<Tableau>(&method.base);
     if (tableau != nullptr) { step.partner = partner(*tableau); }
     if (system.depends_on_time) { set_times(step, std::get<GalerkinStep>(step.form).form.c); }
-    set_solver(step, solver_for(wishes), system);
+    set_solver(step, solver_for(wishes), wishes.sweeps, system);
     return completed(std::move(step), system);
 }
 
@@ -479,7 +480,7 @@ Step planned_as_positions(Step step, const OneStepMethod& method, const Quadratu
     }
     set_kept(step);
     if (system.depends_on_time) { set_times(step, quadrature.c); }
-    set_solver(step, solver_for(wishes), system);
+    set_solver(step, solver_for(wishes), wishes.sweeps, system);
     set_lanes(step, wishes.lanes, system);
     set_corrections(step, system);
     set_extrapolation(step, quadrature);

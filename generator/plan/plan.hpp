@@ -20,6 +20,7 @@ enum class Lanes {
 /// Wishes of the user for a step. The step says what becomes of them.
 struct StepWishes {
     Solver solver = Solver::of_user;
+    int sweeps = 0;  ///< of Solver::sweeps
     Lanes lanes = Lanes::none;
     bool curve = false;   ///< curve of a step, which needs its slopes
     bool action = false;  ///< action of the steps, a sum over positions, momenta and slopes

@@ -135,13 +135,20 @@ Iteration* iteration_of(Step& step) {
     return pairs != nullptr && pairs->iteration ? &*pairs->iteration : nullptr;
 }
 
-void set_solver(Step& step, Solver wished, const SystemProperties& system) {
+void set_solver(Step& step, Solver wished, int sweeps, const SystemProperties& system) {
     Iteration* iteration = iteration_of(step);
     if (iteration == nullptr) { return; }
     iteration->solver = solver_of(step, wished, system);
     if (iteration->solver == Solver::newton && wished != Solver::newton) {
         step.decisions.push_back({"Newton's method, which keeps its factors while h stays",
                                   "H is quadratic: the equations are linear"});
+    }
+    if (iteration->counts_sweeps()) {
+        iteration->sweeps = sweeps;
+        step.decisions.push_back(
+            {fmt::format("explicit: exactly {} sweep{} of fixed points, and a last evaluation",
+                         sweeps, sweeps == 1 ? "" : "s"),
+             "so many are asked for; the step is symplectic up to the last change alone"});
     }
     if (iteration->solver == Solver::automatic) {
         step.decisions.push_back(

@@ -7,9 +7,9 @@
 
 namespace hvi::gen {
 
-/// Decides the solver, by the wish and by what can be had. Precondition: the momenta are eliminated
-/// where they can be.
-void set_solver(Step& step, Solver wished, const SystemProperties& system);
+/// Decides the solver, by the wish and by what can be had; `sweeps` are those of Solver::sweeps.
+/// Precondition: the momenta are eliminated where they can be.
+void set_solver(Step& step, Solver wished, int sweeps, const SystemProperties& system);
 
 /// Sets corrections with one Hessian, for stages in lanes whose solver is automatic. Precondition:
 /// lanes are decided on.

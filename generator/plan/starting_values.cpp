@@ -52,10 +52,10 @@ std::optional<SlopePolynomial> polynomial_of_one_step(const Quadrature& rule,
 
 /// Returns whether slopes of two steps are remembered. NOTE: a stepper for any H keeps to one step,
 /// so that its memory is simple.
-bool may_take_two_steps(Solver solver, Layout layout) {
+bool may_take_two_steps(const Iteration& iteration, Layout layout) {
     return layout != Layout::trajectories && layout != Layout::threads &&
-           (solver == Solver::automatic || solver == Solver::fixed_point ||
-            solver == Solver::newton_taylor);
+           (iteration.only_sweeps() || iteration.solver == Solver::automatic ||
+            iteration.solver == Solver::newton_taylor);
 }
 
 /// Returns the polynomial of the last two steps where it is a better start.
@@ -133,11 +133,11 @@ std::vector<SlopePolynomial> of_each(const std::vector<NumberVector>& sizes,
     return result;
 }
 
-std::vector<SlopePolynomial> slope_polynomials(const Step& step, Solver solver,
+std::vector<SlopePolynomial> slope_polynomials(const Step& step, const Iteration& iteration,
                                                const Quadrature& rule) {
     const std::vector<NumberVector> sizes = sizes_behind(step.in_a_row);
     std::vector<SlopePolynomial> polynomials;
-    if (may_take_two_steps(solver, step.layout)) {
+    if (may_take_two_steps(iteration, step.layout)) {
         polynomials = of_each(sizes, [&](const NumberVector& behind) {
             return polynomial_of_two_steps(rule, behind);
         });
@@ -165,8 +165,7 @@ void set_extrapolation(Step& step, const Quadrature& rule) {
             begins_at_the_start("no polynomial interpolates slopes at equal nodes"));
         return;
     }
-    const std::vector<SlopePolynomial> polynomials =
-        slope_polynomials(step, iteration->solver, rule);
+    const std::vector<SlopePolynomial> polynomials = slope_polynomials(step, *iteration, rule);
     if (polynomials.empty()) {
         step.decisions.push_back(begins_at_the_start(
             "extrapolating the last step's slopes would magnify their rounding too much"));

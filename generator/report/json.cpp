@@ -33,14 +33,19 @@ Json json_of(const KeptQuantity& kept) {
 
 Json json_of(const WorkCurve& curve) {
     Json points = Json::array();
-    for (const WorkPoint& point : curve.points) points.push_back(json_of(point));
+    for (const WorkPoint& point : curve.points) {
+        points.push_back(json_of(point));
+        if (curve.sweeps > 0) points.back()["drift"] = point.drift;
+    }
     Json kept = Json::array();
     for (const KeptQuantity& each : curve.kept) kept.push_back(json_of(each));
-    return {{"name", curve.name},
-            {"order", curve.order > 0 ? Json(curve.order) : Json(nullptr)},
-            {"peer", curve.is_peer},
-            {"conserved", std::move(kept)},
-            {"points", std::move(points)}};
+    Json json{{"name", curve.name},
+              {"order", curve.order > 0 ? Json(curve.order) : Json(nullptr)},
+              {"peer", curve.is_peer}};
+    if (curve.sweeps > 0) json["sweeps"] = curve.sweeps;
+    json["conserved"] = std::move(kept);
+    json["points"] = std::move(points);
+    return json;
 }
 
 Json json_of(const std::optional<Quickest>& found) {

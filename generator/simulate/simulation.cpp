@@ -288,9 +288,10 @@ Simulation run_simulation(const Target& program, const RunSubject& subject,
     const std::vector<std::string>& names = subject.conserved;
     const auto start = answers.numbers("start", names.size()),
                largest = answers.numbers("largest", names.size()),
-               last = answers.numbers("last", names.size());
+               last = answers.numbers("last", names.size()),
+               drift = answers.numbers("drift", names.size());
     for (std::size_t i = 0; i < names.size(); ++i)
-        run.conserved.push_back({names[i], start[i], largest[i], last[i]});
+        run.conserved.push_back({names[i], start[i], largest[i], last[i], drift[i]});
     run.reduced = answers.numbers("reduced", wishes.reductions.size());
     if (answers.has("motion")) run.energy_of_motion = answers.number("motion");
     if (answers.has("terms")) run.frequencies = frequencies_of(wishes.analysed, answers);
@@ -325,6 +326,7 @@ Measurement measurement(const Answers& answers) {
     result.iterations = answers.integer("iterations");
     result.evaluations = answers.integer("evaluations");
     result.departures = answers.numbers("largest");
+    result.drifts = answers.numbers("drift");
     if (answers.has("error")) {
         result.end = DistanceOfEnd{answers.number("error")};
     } else {

@@ -29,6 +29,7 @@ struct Conserved {
     double start = 0;
     double largest = 0;  ///< the largest departure from the start; NaN or infinite where it is lost
     double last = 0;     ///< the departure at the end, with its sign
+    double drift = 0;    ///< the slope of the departures over the run, by least squares, a step
 };
 
 /// The status of a run that an interruption has stopped.
@@ -206,6 +207,7 @@ struct Measurement {
     std::int64_t iterations = 0;     ///< iterations of the solver
     std::int64_t evaluations = 0;    ///< evaluations of dH/dq
     std::vector<double> departures;  ///< the largest, for each conserved quantity
+    std::vector<double> drifts;      ///< likewise; see Conserved
     std::variant<EndOfRun, DistanceOfEnd> end;
     double seconds = 0;  ///< the median of repetitions; 0 where none was timed
     double spread = 0;   ///< the middle half of these, as a part of the median; NaN for one alone

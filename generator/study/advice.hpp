@@ -20,6 +20,7 @@ namespace hvi::gen {
 struct Candidate {
     StudiedMethod method;
     Solver solver = Solver::automatic;
+    int sweeps = 0;  ///< counted ones; 0: the solver ends them
 };
 
 /// The accuracy that is asked for, and limits of the search.
@@ -28,6 +29,7 @@ struct AdviceWishes {
     double until = 0;              ///< the time at the end
     std::int64_t first_count = 1;  ///< steps to begin with
     bool has_curve = false;        ///< steps are to have a curve, as those of compositions have not
+    bool has_action = false;       ///< and an action, as those of counted sweeps have not
     double seconds = 60;           ///< for which runs are made; programs are compiled before
     UnrollWish sums = {};
 };

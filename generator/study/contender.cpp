@@ -10,6 +10,7 @@
 
 #include "generator/exact/methods/order.hpp"
 #include "generator/exact/methods/rule_properties.hpp"
+#include "generator/pipeline/refusals.hpp"
 #include "generator/scene/start.hpp"
 #include "generator/simulate/simulation.hpp"
 #include "generator/support/error.hpp"
@@ -27,6 +28,12 @@ int order_of(const GalerkinRule& rule) { return nystrom_order(rule, highest_orde
 
 constexpr const char* reference_method = "gauss:10";
 
+/// `gauss:4 (3 sweeps)`.
+std::string with_sweeps(const std::string& title, int sweeps) {
+    if (sweeps == 0) return title;
+    return fmt::format("{} ({} sweep{})", title, sweeps, sweeps == 1 ? "" : "s");
+}
+
 }  // namespace
 
 StudiedMethod studied(ExactMethod method) {
@@ -40,15 +47,32 @@ bool has_exact_states(const WrittenOutScene& scene) {
 }
 
 Contender contender(Builds& builds, const StudiedMethod& method, const LoweredScene& scene,
-                    Solver solver) {
-    const SceneStepper stepper =
-        scene_stepper(method, scene, simulation_wishes(solver, method.composition));
+                    Solver solver, int sweeps) {
+    StepperWishes wishes = simulation_wishes(solver, method.composition);
+    wishes.sweeps.choice = sweeps;
+    const SceneStepper stepper = scene_stepper(method, scene, wishes);
     check_parameter_of_method(stepper);
     const std::optional<StageCorrections>& corrections = stepper.step.corrections;
     ModuleBuild module = simulation_program(stepper).order(builds);
     module.begin_all();
-    return {stepper.method.title(), method.order, std::move(module),
-            corrections ? std::optional(corrections->costs) : std::nullopt};
+    return {with_sweeps(stepper.method.title(), sweeps),
+            method.order,
+            std::move(module),
+            corrections ? std::optional(corrections->costs) : std::nullopt,
+            sweeps,
+            obstacle_to_sweeps(stepper.step).empty()};
+}
+
+std::vector<Contender> contenders(Builds& builds, const std::vector<StudiedMethod>& methods,
+                                  const LoweredScene& scene, int sweeps) {
+    std::vector<Contender> all;
+    for (const StudiedMethod& method : methods)
+        all.push_back(contender(builds, method, scene, Solver::automatic));
+    if (sweeps == 0) return all;
+    for (std::size_t i = 0; i < methods.size(); ++i)
+        if (all[i].takes_sweeps)
+            all.push_back(contender(builds, methods[i], scene, Solver::automatic, sweeps));
+    return all;
 }
 
 MeasureSteps measured(const Contender& contender, double until) {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "generator/exact/methods/composed_method.hpp"
 #include "generator/ir/step.hpp"
@@ -29,11 +30,19 @@ struct Contender {
     int order;
     ModuleBuild module;
     std::optional<SolverCosts> costs = {};  ///< of the ways to solve for its stages
+    int sweeps = 0;                         ///< counted ones; 0: there are none
+    bool takes_sweeps = false;              ///< whether they could be counted
 };
 
-/// Throws what scene_stepper() does.
+/// `sweeps`: so many in each step; 0: the solver ends them. Throws what scene_stepper() does.
 [[nodiscard]] Contender contender(Builds& builds, const StudiedMethod& method,
-                                  const LoweredScene& scene, Solver solver);
+                                  const LoweredScene& scene, Solver solver, int sweeps = 0);
+
+/// A contender of each method, then one of counted sweeps of each that takes these; none of those
+/// for 0. Throws what scene_stepper() does.
+[[nodiscard]] std::vector<Contender> contenders(Builds& builds,
+                                                const std::vector<StudiedMethod>& methods,
+                                                const LoweredScene& scene, int sweeps);
 
 /// Measures its runs, until the time of the course.
 [[nodiscard]] MeasureSteps measured(const Contender& contender, double until);

@@ -15,6 +15,7 @@ struct WorkPoint {
     std::int64_t steps = 0;
     double error = 0;  ///< distance of (q, p) from the reference, relative where that is not 0
     double energy_error = 0;  ///< the largest on the way; NaN where the energy is not conserved
+    double drift = 0;         ///< of the energy a step, by least squares; NaN likewise
     double seconds = 0;       ///< the median of repetitions in the fastest round; 0: none was timed
     double spread = 0;  ///< the middle half of these, as a part of the median; NaN of one alone
     std::int64_t evaluations = 0;  ///< of dH/dq
@@ -51,6 +52,7 @@ struct WorkCurve {
     std::vector<WorkPoint> points;  ///< by rising number of steps, or falling tolerance
     Departures departures;
     std::vector<KeptQuantity> kept = {};
+    int sweeps = 0;  ///< counted ones, of explicit steps; 0: there are none
 };
 
 /// The state that errors are measured against.

@@ -42,8 +42,7 @@ struct Programs {
 
 Programs programs(Builds& builds, const LoweredScene& scene, const StudyWishes& wishes) {
     Programs all{reference_build(builds, scene), {}, {}, {}};
-    for (const StudiedMethod& method : wishes.methods)
-        all.contenders.push_back(contender(builds, method, scene, Solver::automatic));
+    all.contenders = contenders(builds, wishes.methods, scene, wishes.sweeps);
     if (!wishes.libraries.empty()) all.for_peers = stepper_for_peers(scene);
     for (const PeerLibrary& library : wishes.libraries)
         all.teams.push_back(
@@ -54,18 +53,16 @@ Programs programs(Builds& builds, const LoweredScene& scene, const StudyWishes& 
 /// Programs for a scene of any size.
 struct LargePrograms {
     LargeReference reference;
-    std::vector<Contender> contenders;
+    std::vector<Contender> all;
 
     LargePrograms(Builds& builds, const LoweredScene& scene, double until,
-                  const std::vector<StudiedMethod>& methods)
-        : reference(builds, scene.scene, until) {
-        for (const StudiedMethod& method : methods)
-            contenders.push_back(contender(builds, method, scene, Solver::automatic));
-    }
+                  const StudyWishes& wishes)
+        : reference(builds, scene.scene, until),
+          all(contenders(builds, wishes.methods, scene, wishes.sweeps)) {}
 
     void wait() const {
         reference.wait();
-        for (const Contender& contender : contenders) contender.module.wait_for_all();
+        for (const Contender& contender : all) contender.module.wait_for_all();
     }
 };
 
@@ -101,7 +98,7 @@ RunsOfMethod eventful_steps(const Contender& contender, const Course& course,
 }
 
 WorkCurve curve(const Contender& contender, const Course& course, const RunsOfMethod& runs) {
-    WorkCurve curve{contender.title, contender.order, false, {}, {}};
+    WorkCurve curve{contender.title, contender.order, false, {}, {}, {}, contender.sweeps};
     curve.points = work_points(course, runs.measure);
     curve.departures = departures(course, curve.points, runs.sample);
     return curve;
@@ -162,10 +159,15 @@ private:
 
 constexpr std::size_t other_parts = 3 + more_rounds;  // than runs of one method, or library
 
+/// Parts of a study, but for libraries; at most so many where sweeps are counted.
+std::size_t parts_of(const StudyWishes& wishes) {
+    return (wishes.sweeps > 0 ? 2 : 1) * wishes.methods.size() + other_parts;
+}
+
 void study_written_out(Builds& builds, const LoweredScene& scene, double until,
                        std::int64_t first_count, const StudyWishes& wishes, SceneReport& report,
                        TimeSpent& time_spent) {
-    Study study(report, time_spent, wishes.methods.size() + wishes.libraries.size() + other_parts);
+    Study study(report, time_spent, parts_of(wishes) + wishes.libraries.size());
     const Programs all = [&] {
         const auto part = study.begin("deriving and writing steppers");
         return programs(builds, scene, wishes);
@@ -190,37 +192,38 @@ void study_written_out(Builds& builds, const LoweredScene& scene, double until,
 void study_eventful(Builds& builds, const LoweredScene& scene, double until,
                     std::int64_t first_count, const StudyWishes& wishes, SceneReport& report,
                     TimeSpent& time_spent) {
-    Study study(report, time_spent, wishes.methods.size() + other_parts);
+    Study study(report, time_spent, parts_of(wishes));
     const EventfulRuns runs(scene, until);
-    std::vector<Contender> contenders;
+    std::optional<Contender> fine;
+    std::vector<Contender> all;
     {
         const auto part = study.begin("deriving and writing steppers");
-        contenders.push_back(eventful_reference_contender(builds, scene));
-        for (const StudiedMethod& method : wishes.methods)
-            contenders.push_back(contender(builds, method, scene, Solver::automatic));
+        fine = eventful_reference_contender(builds, scene);
+        all = contenders(builds, wishes.methods, scene, wishes.sweeps);
     }
     {
         const auto part = study.begin("compiling");
-        for (const Contender& each : contenders) each.module.wait_for_all();
+        fine->module.wait_for_all();
+        for (const Contender& each : all) each.module.wait_for_all();
     }
     {
         const auto part = study.begin("reference");
-        report.reference = runs.reference(contenders.front(), until, first_count);
+        report.reference = runs.reference(*fine, until, first_count);
     }
     Course course{report.reference, until, first_count, wishes.steps, !scene.system.time};
     course.variable = runs.variable();
-    for (std::size_t i = 1; i < contenders.size(); ++i)
-        study.run(contenders[i], course, eventful_steps(contenders[i], course, runs));
+    for (const Contender& contender : all)
+        study.run(contender, course, eventful_steps(contender, course, runs));
     study.run_again();
 }
 
 void study_with_loops(Builds& builds, const LoweredScene& scene, double until,
                       std::int64_t first_count, const StudyWishes& wishes, SceneReport& report,
                       TimeSpent& time_spent) {
-    Study study(report, time_spent, wishes.methods.size() + other_parts);
+    Study study(report, time_spent, parts_of(wishes));
     const auto all = [&] {
         const auto part = study.begin("deriving and writing steppers");
-        return std::make_unique<LargePrograms>(builds, scene, until, wishes.methods);
+        return std::make_unique<LargePrograms>(builds, scene, until, wishes);
     }();
     {
         const auto part = study.begin("compiling");
@@ -230,7 +233,7 @@ void study_with_loops(Builds& builds, const LoweredScene& scene, double until,
         const auto part = study.begin("reference");
         report.reference = all->reference.compute(first_count);
     }
-    for (const Contender& contender : all->contenders) {
+    for (const Contender& contender : all->all) {
         Course course{report.reference, until, first_count, wishes.steps};
         course.longest_run = longest_of_large_search;
         course.first_count = affordable(contender, course);

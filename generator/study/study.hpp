@@ -23,6 +23,7 @@ struct StudyWishes {
                                 ///< that errors go from 1e-2 to round-off
     std::vector<PeerLibrary> libraries = {};  ///< whose integrators are measured too
     UnrollWish sums = {};
+    int sweeps = 0;  ///< methods that are iterated are measured with so many a step, too; 0: not
 };
 
 /// Compiles and runs all of it, and says on standard error what it is at, where that is a terminal.

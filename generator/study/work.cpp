@@ -161,6 +161,7 @@ WorkPoint work_point(const Course& course, const Measurement& run) {
                   : end != nullptr ? error_of(course, *end, run.steps)
                                    : std::get<DistanceOfEnd>(run.end).relative;
     point.energy_error = course.keeps_energy ? run.departures.at(0) : nothing;
+    point.drift = course.keeps_energy && !run.drifts.empty() ? run.drifts.front() : nothing;
     point.seconds = run.seconds;
     point.spread = run.spread;
     point.evaluations = run.evaluations;

@@ -35,6 +35,7 @@ void tell(const Outcome& outcome, const Invariants<Problem>& invariants) {
     say("evaluations", outcome.evaluations);
     for (const detail::Departure& departure : invariants.departures()) {
         say("largest", departure.largest);
+        say("drift", departure.slope());
     }
 }
 

@@ -10,6 +10,7 @@
 #include <hvi/detail/numbers/scalar.hpp>
 #include <hvi/detail/solvers/joint_slopes.hpp>
 #include <hvi/detail/solvers/round_off.hpp>
+#include <hvi/detail/solvers/sweep.hpp>
 #include <hvi/detail/stages/system.hpp>
 #include <hvi/state.hpp>
 
@@ -66,7 +67,7 @@ private:
         constexpr bool is_joint = HasJointSlopes<Coupled>::value;
         if constexpr (!Coupled::separable && !is_joint) { coupled.positions(); }
         round_off.begin(coupled.s.n);
-        sweep<true>(coupled);                // this change is measured against values of no meaning
+        detail::sweep<true>(coupled);        // this change is measured against values of no meaning
         [[maybe_unused]] int nudged_in = 0;  // the iteration of the nudge; 0: none so far
         for (int iteration = 2; iteration <= most; ++iteration) {
             evaluate(coupled);
@@ -75,7 +76,7 @@ private:
                     nudged_in = iteration;
                 }
             }
-            sweep<false>(coupled);
+            detail::sweep<false>(coupled);
             switch (judge(coupled, round_off)) {
             case Verdict::go_on:
                 if constexpr (ends_growth) {
@@ -102,7 +103,7 @@ private:
             }
             if constexpr (first_order) {
                 coupled.forces_by_tangents();
-                sweep<false>(coupled);
+                detail::sweep<false>(coupled);
             }
         }
         return Status(Status::Code::not_converged, most);
@@ -113,7 +114,7 @@ private:
         if constexpr (first_order) {
             coupled.forces_and_tangents();
         } else {
-            close(coupled);
+            detail::close(coupled);
         }
     }
 
@@ -139,32 +140,11 @@ private:
         return 8 <= iteration && iteration <= 25;
     }
 
-    /// Sets the slopes at the last stages.
-    template <class Coupled>
-    [[gnu::always_inline]] static void close(Coupled& coupled) {
-        if constexpr (HasJointSlopes<Coupled>::value) {
-            coupled.slopes();
-        } else {
-            coupled.forces();
-        }
-    }
-
     /// Calls close() without inlining it once more. NOTE: on a copy of `coupled`, so that nothing
     /// else may point to the data of the loop.
     template <class Coupled>
     [[gnu::noinline]] static void finish(Coupled coupled) {
-        close(coupled);
-    }
-
-    template <bool is_first, class Coupled>
-    [[gnu::always_inline]] static void sweep(Coupled& coupled) {
-        coupled.momenta();
-        if constexpr (HasSharedSlopes<Coupled>::value && !is_first) {
-            coupled.velocities_after_forces();
-        } else if constexpr (!HasJointSlopes<Coupled>::value) {
-            coupled.velocities();
-        }
-        coupled.positions();
+        detail::close(coupled);
     }
 
     /// Whether changes of P are judged. For separable H a sweep is a map of the positions alone:

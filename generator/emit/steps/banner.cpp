@@ -110,10 +110,19 @@ std::string_view conserved_text(const Step& step) {
            "method conserves q^T C p for constant C.";
 }
 
-/// Returns a description of the method: its kind, its basis, its conserved quantities, and negative
-/// weights.
+/// Returns what steps of counted sweeps are; empty where none are counted.
+std::string counted_text(const Step& step) {
+    const Iteration* iteration = step.iteration();
+    if (iteration == nullptr || !iteration->counts_sweeps()) { return {}; }
+    return fmt::format("Explicit: exactly {} sweep{} a step, from extrapolated slopes; symplectic, "
+                       "and conserving, up to the last change alone.",
+                       iteration->sweeps, iteration->sweeps == 1 ? "" : "s");
+}
+
+/// Returns a description of the method: its kind, its basis, its conserved quantities, negative
+/// weights, and what sweeps leave of all that.
 std::string described(const Provenance& provenance, const std::string& kind,
-                      std::string_view conserved, const NumberVector& b) {
+                      std::string_view conserved, const NumberVector& b, const Step& step) {
     Writer writer(0);
     std::string basis;
     for (const Expression& psi : provenance.basis) {
@@ -124,6 +133,9 @@ std::string described(const Provenance& provenance, const std::string& kind,
     writer.comment(conserved);
     if (const std::string names = negative_weights(b); !names.empty()) {
         writer.comment(fmt::format("Negative weights: {}.", names));
+    }
+    if (const std::string counted = counted_text(step); !counted.empty()) {
+        writer.comment(counted);
     }
     return writer.str();
 }
@@ -141,7 +153,7 @@ std::string method_text(const Tableau& tableau, const Step& step) {
     return described(tableau.provenance,
                      fmt::format("symplectic, {} stage{}, for {}", tableau.stages(),
                                  tableau.stages() == 1 ? "" : "s", functions_of(step)),
-                     conserved_text(step), tableau.b);
+                     conserved_text(step), tableau.b, step);
 }
 
 std::string method_text(const GalerkinRule& rule, const Step& step) {
@@ -151,7 +163,7 @@ std::string method_text(const GalerkinRule& rule, const Step& step) {
                                  rule.functions() == 1 ? "" : "s", rule.nodes(),
                                  is_general ? functions_of(step) : "H = p^T K p/2 + U(q)"),
                      "The general Galerkin form (4.6), which conserves q^T C p for constant C.",
-                     rule.b);
+                     rule.b, step);
 }
 
 std::string choices_text(const Step& step) {

@@ -169,11 +169,15 @@ std::string stages_type(const Step& step, std::string_view kind) {
                        trajectory_argument(step));
 }
 
-std::string members_text(const std::string& stages) {
+std::string members_text(const Iteration& iteration, const std::string& stages) {
+    constexpr std::string_view numbers = "Scalar, hvi::detail::fixed_size<Vector>()";
     return Writer(1)
         .insert(systems_text())
         .line("{} s_;", stages)
-        .line("hvi::detail::LaneSweeps<Scalar, hvi::detail::fixed_size<Vector>()> solver_;")
+        .line("hvi::detail::{} solver_;",
+              iteration.counts_sweeps()
+                  ? fmt::format("CountedLaneSweeps<{}, {}>", numbers, iteration.sweeps)
+                  : fmt::format("LaneSweeps<{}>", numbers))
         .str();
 }
 
@@ -207,20 +211,20 @@ std::string slopes_text(const Step& step) {
 }
 
 /// Returns the common parts of both implicit forms.
-EnsembleParts implicit_parts(const std::string& stages) {
+EnsembleParts implicit_parts(const Iteration& iteration, const std::string& stages) {
     EnsembleParts parts;
     parts.runtime = {"detail/trajectories/trajectory_stages"};
     parts.carried = "RemaindersCarried";
     parts.resize = "s_.resize(lane, h, b);";
     parts.reset_lane = "s_.forget(lane);";
     parts.reset = "s_.forget();";
-    parts.members = members_text(stages);
+    parts.members = members_text(iteration, stages);
     return parts;
 }
 
 EnsembleParts ensemble_parts(const Step& step, const VelocityStep& form, std::size_t) {
     const std::string stages = stages_type(step, "Velocity");
-    EnsembleParts parts = implicit_parts(stages);
+    EnsembleParts parts = implicit_parts(form.iteration, stages);
     parts.step = velocity_step(step, form.iteration);
     parts.constants = constants_text(step, form, {});
     parts.coupled =
@@ -233,7 +237,7 @@ EnsembleParts ensemble_parts(const Step& step, const VelocityStep& form, std::si
 EnsembleParts ensemble_parts(const Step& step, const PairStep& form, std::size_t) {
     HVI_CHECK(form.iteration.has_value());
     const std::string stages = stages_type(step, "Pair");
-    EnsembleParts parts = implicit_parts(stages);
+    EnsembleParts parts = implicit_parts(*form.iteration, stages);
     parts.step = pair_step(step, *form.iteration);
     parts.constants = constants_text(step, form, {});
     parts.coupled =

@@ -20,6 +20,7 @@ std::vector<std::string> solver_headers(const Step& step, SeldomSolvers seldom) 
     case Solver::fixed_point: break;
     case Solver::newton: return {"detail/solvers/" + newton};
     case Solver::newton_taylor: return {"detail/solvers/newton_taylor"};
+    case Solver::sweeps: return {"fixed_sweeps"};
     case Solver::automatic: {
         std::vector<std::string> headers{step.corrections ? "detail/solvers/automatic_of_lanes"
                                                           : "detail/solvers/automatic",

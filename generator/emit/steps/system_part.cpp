@@ -120,12 +120,14 @@ std::string automatic(const Step& step, SeldomSolvers seldom) {
 }
 
 std::string solver_type(const Step& step, SeldomSolvers seldom) {
-    switch (step.iteration()->solver) {
+    const Iteration& iteration = *step.iteration();
+    switch (iteration.solver) {
     case Solver::of_user: break;
     case Solver::fixed_point: return "hvi::FixedPoint";
     case Solver::newton: return newton_policy(step).type;
     case Solver::newton_taylor: return "hvi::NewtonTaylor";
     case Solver::automatic: return automatic(step, seldom);
+    case Solver::sweeps: return fmt::format("hvi::FixedSweeps<{}>", iteration.sweeps);
     }
     HVI_CHECK(false);
     return {};

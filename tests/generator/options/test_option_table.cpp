@@ -153,12 +153,13 @@ TEST_CASE("every wish of a stepper is quoted as its option, in the order of the 
     wishes.separable = wishes.energy = wishes.invariants = true;
     wishes.evaluations = wishes.float128 = wishes.dense = wishes.action = true;
     wishes.solver = Solver::newton_taylor;
+    wishes.sweeps.choice = 3;
     wishes.lanes.choice = Lanes::none;
     wishes.class_name = given("--name", "N");
     wishes.composition = named_composition(given("--compose", "yoshida:4"));
     CHECK(options_for(wishes) ==
-          " --separable --solver newton-taylor --lanes none --compose yoshida:4 --energy "
-          "--invariants --evaluations --float128 --dense --action --name N");
+          " --separable --solver newton-taylor --sweeps 3 --lanes none --compose yoshida:4 "
+          "--energy --invariants --evaluations --float128 --dense --action --name N");
 }
 
 TEST_CASE("what stands beside what") {

@@ -18,7 +18,7 @@ TEST_CASE("no option of stepper swallows the scene behind it") {
         {"--explain"},           {"--name", "K"},
         {"--method", "gauss:4"}, {"--compose", "yoshida:4"},
         {"--lanes", "none"},     {"--action"},
-        {"--tangent"}};
+        {"--tangent"},           {"--sweeps", "3"}};
     for (const auto& options : lines) {
         const Outcome outcome = hvi_gen(with(with({"stepper"}, options), {"kepler"}));
         INFO(outcome.err);

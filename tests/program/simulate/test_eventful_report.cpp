@@ -11,7 +11,7 @@
 #include "tests/program/simulate/cache.hpp"
 
 using namespace hvi::test;
-using nlohmann::json;
+using Json = nlohmann::json;
 
 namespace {
 
@@ -30,7 +30,7 @@ until = 5
 )toml";
 
 /// The ball falls for a time of 1, so that it is where it began, and at rest, at t = 4.
-constexpr const char* ball = R"toml(
+constexpr const char* falling_ball = R"toml(
 coordinates = ["q"]
 momenta = ["p"]
 hamiltonian = "p^2/2 + q"
@@ -50,7 +50,7 @@ set = {p = "-p"}
 stop = 1
 )toml";
 
-json report_of(const std::string& text, const std::vector<std::string>& words,
+Json report_of(const std::string& text, const std::vector<std::string>& words,
                const Directory& directory) {
     write(directory / "scene.toml", text);
     std::vector<std::string> all{"report", "scene.toml", "-o", "out"};
@@ -58,15 +58,15 @@ json report_of(const std::string& text, const std::vector<std::string>& words,
     const Outcome result = hvi_gen(all, directory.path());
     INFO(result.err);
     REQUIRE(result.status == 0);
-    return json::parse(contents(directory / "out/report.json"));
+    return Json::parse(contents(directory / "out/report.json"));
 }
 
-double error_at(const json& report, std::size_t method, std::size_t point) {
+double error_at(const Json& report, std::size_t method, std::size_t point) {
     return report.at("scenes")[0].at("methods")[method].at("points")[point].at("error");
 }
 
-bool has_note(const json& report, const std::string& words) {
-    for (const json& note : report.at("notes"))
+bool has_note(const Json& report, const std::string& words) {
+    for (const Json& note : report.at("notes"))
         if (note.get<std::string>().find(words) != std::string::npos) return true;
     return false;
 }
@@ -79,12 +79,12 @@ TEST_CASE("errors of steps in scaled time are those at a time") {
     const std::string exact = "[exact]\nq = \"cos(t)\"\np = \"-sin(t)\"\n";
     const std::vector<std::string> words{"--methods",        "gauss:2, gauss:4", "--steps",
                                          "1/10, 1/20, 1/33", "--only",           "json,work"};
-    const json of_exact = report_of(scaled_oscillator + exact, words, directory);
+    const Json of_exact = report_of(scaled_oscillator + exact, words, directory);
     CHECK(of_exact.at("scenes")[0].at("reference").at("kind") == "exact");
     // The orders are 4 and 8: the step is halved.
     CHECK(std::abs(std::log2(error_at(of_exact, 0, 0) / error_at(of_exact, 0, 1)) - 4) < 0.2);
     CHECK(std::abs(std::log2(error_at(of_exact, 1, 0) / error_at(of_exact, 1, 1)) - 8) < 0.5);
-    const json& points = of_exact.at("scenes")[0].at("methods")[0].at("points");
+    const Json& points = of_exact.at("scenes")[0].at("methods")[0].at("points");
     CHECK(points[2].at("h") == 1.0 / 33);
     // Since t = 5 is s + sin(2 t)/8 and more, there are fewer steps than of time, and the last is
     // short.
@@ -93,8 +93,8 @@ TEST_CASE("errors of steps in scaled time are those at a time") {
     CHECK(has_note(of_exact, "steps of scene are of scaled time"));
 
     // The reference by gauss:10 is as good.
-    const json of_runs = report_of(scaled_oscillator, words, directory);
-    const json reference = of_runs.at("scenes")[0].at("reference");
+    const Json of_runs = report_of(scaled_oscillator, words, directory);
+    const Json reference = of_runs.at("scenes")[0].at("reference");
     CHECK(reference.at("kind") == "gauss:10 in 53 bits");
     CHECK(reference.at("error") < 1e-13);
     for (std::size_t i = 0; i < 3; ++i)
@@ -104,14 +104,14 @@ TEST_CASE("errors of steps in scaled time are those at a time") {
 TEST_CASE("errors of runs that jump") {
     use_cache();
     const Directory directory;
-    const json report = report_of(std::string(ball) + floor_of_ball,
+    const Json report = report_of(std::string(falling_ball) + floor_of_ball,
                                   {"--methods", "stormer-verlet, symplectic-euler", "--steps",
                                    "1/64, 1/128", "--only", "json,work"},
                                   directory);
-    const json reference = report.at("scenes")[0].at("reference");
+    const Json reference = report.at("scenes")[0].at("reference");
     CHECK(reference.at("kind") == "gauss:10 in 53 bits");
     CHECK(reference.at("error") < 1e-13);
-    const json& first = report.at("scenes")[0].at("methods")[0].at("points")[0];
+    const Json& first = report.at("scenes")[0].at("methods")[0].at("points")[0];
     CHECK(first.at("h") == 1.0 / 64);
     CHECK(first.at("steps") == 256);
     // Stormer-Verlet makes no error where the force is constant, nor in its shorter steps.
@@ -121,14 +121,14 @@ TEST_CASE("errors of runs that jump") {
 
     // Beside the end that it should have.
     const std::string exact = "[exact]\nq = \"1/2 - (t - 4)^2/2\"\np = \"4 - t\"\n";
-    const json beside =
-        report_of(std::string(ball) + floor_of_ball + exact,
+    const Json beside =
+        report_of(std::string(falling_ball) + floor_of_ball + exact,
                   {"--methods", "gauss:2", "--steps", "1/64", "--only", "json,work"}, directory);
     CHECK(error_at(beside, 0, 0) < 1e-13);
     // Without a floor it is 15/2 below the ground, at the speed of 4.
-    const json falling =
-        report_of(ball + exact, {"--methods", "gauss:2", "--steps", "1/64", "--only", "json,work"},
-                  directory);
+    const Json falling =
+        report_of(falling_ball + exact,
+                  {"--methods", "gauss:2", "--steps", "1/64", "--only", "json,work"}, directory);
     CHECK(std::abs(error_at(falling, 0, 0) - std::hypot(8, 4) / 0.5) < 1e-9);
 }
 
@@ -143,7 +143,7 @@ TEST_CASE("errors of runs whose steps end at kinks") {
                                 "[exact]\nq = \"(t - 2)^2/2 - 1/2\"\np = \"t - 2\"\n";
     const std::vector<std::string> words{"--methods", "stormer-verlet", "--steps",
                                          "3/80",      "--only",         "json,work"};
-    const json ended = report_of(pointed + "[time]\nkinks = \"events\"\n", words, directory);
+    const Json ended = report_of(pointed + "[time]\nkinks = \"events\"\n", words, directory);
     CHECK(error_at(ended, 0, 0) < 1e-12);
     CHECK(has_note(ended, "steps of scene end at kinks of its H"));
     // Across kinks the order is lost.
@@ -161,7 +161,8 @@ TEST_CASE("reports that are not built for jumps and scaled time") {
         CHECK(result.err.find(message) != std::string::npos);
         CHECK(directory.names() == std::vector<std::string>{"scene.toml"});
     };
-    refused(std::string(ball) + floor_of_ball, "--peers", "are not built for scaled time, jumps");
+    refused(std::string(falling_ball) + floor_of_ball, "--peers",
+            "are not built for scaled time, jumps");
     refused(scaled_oscillator, "--peers", "are not built for scaled time, jumps");
     refused(R"toml(
 coordinates = ["q[1..3]"]

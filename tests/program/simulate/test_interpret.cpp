@@ -79,7 +79,8 @@ TEST_CASE("stages that are solved for are interpreted to the bits of compiled on
           "nonseparable --method gauss:3", "nonseparable --method stormer-verlet",
           "nonseparable --method radau-left:2", "double-pendulum --method gauss:2",
           "double-pendulum --method lobatto:3", "double-pendulum --method clenshaw-curtis:4",
-          "point-vortices --method gauss:3", "point-vortices --method symplectic-euler"})
+          "point-vortices --method gauss:3", "point-vortices --method symplectic-euler",
+          "kepler --method gauss:4 --sweeps 2", "nonseparable --method gauss:3 --sweeps 3"})
         both.check_same(words + " --only table --no-symmetries");
 }
 

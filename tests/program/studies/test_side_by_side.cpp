@@ -50,8 +50,15 @@ TEST_CASE("rows side by side are those taken alone, up to rounding") {
         check_beside_alone(stars, words + " --columns energy --method " + method, columns);
     check_beside_alone(
         stars, words + " --columns energy --method stormer-verlet --compose kahan-li:8", columns);
+    for (const std::string method : {"gauss:6", "midpoint"})
+        check_beside_alone(stars, words + " --columns energy --sweeps 3 --method " + method,
+                           columns);
     for (const std::string method : {"gauss:4", "stormer-verlet"})
         check_beside_alone(pushed, "--vary F=0:1:9 --vary q=0:1:3 --method " + method, {"q", "p"});
+}
+
+TEST_CASE("counted sweeps that begin with the slopes of two steps are taken alone") {
+    check_beside_alone(stars, "--vary k=1/2:1:5 --method gauss:4 --sweeps 1", {"x", "px"}, 1e-300);
 }
 
 TEST_CASE("bits of a row do not depend on the rows beside it") {

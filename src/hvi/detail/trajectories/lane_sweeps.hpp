@@ -7,6 +7,7 @@
 
 #include <hvi/detail/numbers/arithmetic.hpp>
 #include <hvi/detail/solvers/joint_slopes.hpp>
+#include <hvi/detail/solvers/sweep.hpp>
 #include <hvi/detail/trajectories/trajectories.hpp>
 
 namespace hvi::detail {
@@ -104,6 +105,33 @@ private:
         stalls_{};  // sweeps in a row in which no component changed by less than ever
 };
 
+/// Outcome of an iteration in the lanes that took part.
+template <class Number>
+struct LaneOutcome {
+    using Lane = Lanes<Number, trajectories_at_once>;
+
+    typename Lane::Mask converged, not_finite;
+    Lane iterations;
+};
+
+/// Makes one sweep. NOTE: slopes of lanes that are not `moving` keep their bits.
+template <class Coupled, class Mask>
+void sweep_lanes(Coupled& coupled, [[maybe_unused]] const Mask& moving) {
+    coupled.momenta();
+    if constexpr (!HasJointSlopes<Coupled>::value) { coupled.velocities(moving); }
+    coupled.positions();
+}
+
+/// Sets the slopes of these lanes at the last stages.
+template <class Coupled, class Mask>
+void close_lanes(Coupled& coupled, const Mask& lanes) {
+    if constexpr (HasJointSlopes<Coupled>::value) {
+        coupled.slopes(lanes);
+    } else {
+        coupled.forces(lanes);
+    }
+}
+
 /// Sweeps of each lane. Where the iteration of a lane has ended, its slopes keep their bits while
 /// those of others go on.
 template <class Number, std::size_t dimension>
@@ -111,14 +139,9 @@ class LaneSweeps {
 public:
     using Lane = Lanes<Number, trajectories_at_once>;
     using Mask = typename Lane::Mask;
+    using Outcome = LaneOutcome<Number>;
 
     static constexpr int most_iterations = 200;
-
-    /// Outcome in the lanes that took part.
-    struct Outcome {
-        Mask converged, not_finite;
-        Lane iterations;
-    };
 
     /// Iterates the lanes `going`. NOTE: forces are computed in one place alone; see
     /// Trajectories::end().
@@ -132,15 +155,11 @@ public:
         round_off_.begin();
         Mask moving = going;
         Mask closing(false);  // lanes at noise, which take the slopes of the last stages
-        sweep(coupled, moving);
+        sweep_lanes(coupled, moving);
         for (int iteration = 2; any(moving | closing); ++iteration) {
-            if constexpr (is_joint) {
-                coupled.slopes(moving | closing);
-            } else {
-                coupled.forces(moving | closing);
-            }
+            close_lanes(coupled, moving | closing);
             if (!any(moving) || iteration > most_iterations) { break; }
-            sweep(coupled, moving);
+            sweep_lanes(coupled, moving);
             const auto verdicts = judge(coupled, moving);
             const Mask ended = verdicts.unchanged | verdicts.at_noise;
             outcome.iterations =
@@ -157,19 +176,55 @@ public:
 
 private:
     template <class Coupled>
-    static void sweep(Coupled& coupled, [[maybe_unused]] const Mask& moving) {
-        coupled.momenta();
-        if constexpr (!HasJointSlopes<Coupled>::value) { coupled.velocities(moving); }
-        coupled.positions();
-    }
-
-    template <class Coupled>
     [[nodiscard]] auto judge(const Coupled& coupled, const Mask& moving) {
         constexpr bool by_p = Coupled::has_p && !Coupled::separable;
         return round_off_.template judge<true, by_p>(coupled, moving);
     }
 
     LaneRoundOff<Number, dimension> round_off_;
+};
+
+/// CountedSweeps of each lane.
+template <class Number, std::size_t dimension, int count>
+class CountedLaneSweeps {
+public:
+    using Lane = Lanes<Number, trajectories_at_once>;
+    using Mask = typename Lane::Mask;
+    using Outcome = LaneOutcome<Number>;
+
+    /// Makes `count` sweeps of the lanes `going`, and more of those that begin, and a last
+    /// evaluation. Precondition: that of LaneSweeps.
+    template <class Coupled>
+    [[nodiscard]] Outcome solve(Coupled coupled, const Mask& going) {
+        constexpr bool is_joint = HasJointSlopes<Coupled>::value;
+        if constexpr (!Coupled::separable && !is_joint) { coupled.positions(); }
+        const Mask early = begin(coupled.s.new_lanes(), going);
+        for (int left = any(early) ? count + more_from_start : count; left > 0; --left) {
+            const Mask moving = left > count ? early : going;
+            sweep_lanes(coupled, moving);
+            close_lanes(coupled, moving);
+        }
+        Lane size(Number(0));
+        for (std::size_t k = 0; k < dimension; ++k) {
+            size = size + coupled.s.size_q(k);
+            if constexpr (Coupled::has_p) { size = size + coupled.s.size_p(k); }
+        }
+        const Mask is_finite = size < Lane(infinity<Number>);
+        const Lane sweeps = select(early, Lane(static_cast<Number>(count + more_from_start)),
+                                   Lane(static_cast<Number>(count)));
+        return {going & is_finite, going & !is_finite, select(going, sweeps, Lane(Number(0)))};
+    }
+
+private:
+    /// Returns the lanes `going` that have no slopes to extrapolate, or had none a step before.
+    [[nodiscard]] Mask begin(const Mask& are_new, const Mask& going) {
+        const Lane zero(Number(0)), one(Number(1));
+        const Mask early = going & (are_new | (Lane(was_new_) == one));
+        select(going, select(are_new, one, zero), Lane(was_new_)).store(was_new_);
+        return early;
+    }
+
+    typename Lane::Row was_new_{};  ///< 1 in lanes that had no slopes a step before
 };
 
 }  // namespace hvi::detail
