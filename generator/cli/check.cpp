@@ -29,7 +29,8 @@ std::string plot(const Findings& findings, const Given& file) {
 }
 
 KeepingFacts facts_of(const Certificate& certificate) {
-    return {certificate.symplectic, certificate.common_weights, certificate.runge_kutta, false};
+    return {certificate.symplectic, certificate.common_weights, certificate.runge_kutta, false,
+            !certificate.splitting.empty()};
 }
 
 KeepingFacts facts_of(const RuleCertificate& certificate) {

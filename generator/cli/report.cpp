@@ -220,7 +220,8 @@ void set_kept(SceneReport& of_scene, const Watched& watched,
     const std::vector<std::string>& names = watched.names;
     for (std::size_t i = 0; i < methods.size() && i < of_scene.curves.size(); ++i) {
         WorkCurve& curve = of_scene.curves[i];
-        const KeepingFacts facts = keeping_facts(methods[i].base);
+        KeepingFacts facts = keeping_facts(methods[i].base);
+        facts.has_flows = !methods[i].method.splitting.empty();
         for (const Statement& statement : watched.statements(facts)) {
             const auto place = std::find(names.begin(), names.end(), statement.name);
             const auto at = static_cast<std::size_t>(place - names.begin());

@@ -207,7 +207,9 @@ WishedRun watched_run(MethodAndScene both, const StepperWishes& wishes, const Ru
     const Watched watched = watch(both.scene, options);
     SceneStepper stepper = scene_stepper(both.method, both.scene, wishes);
     RunSubject subject = run_subject(stepper);
-    std::vector<Statement> statements = watched.statements(keeping_facts(stepper.method.base));
+    KeepingFacts facts = keeping_facts(stepper.method.base);
+    facts.has_flows = stepper.system.parts.has_value();
+    std::vector<Statement> statements = watched.statements(facts);
     EventWishes events = events_of(both.scene, stepper, subject, options.columns);
     Monitors monitors = wished_monitors(both, stepper, wishes, options, runner);
     std::string events_text = text_of(both.scene.events) + (both.scene.kinks ? "kinks\n" : "");

@@ -53,6 +53,11 @@ Statement statement(const ConservedQuantity& quantity, const KeepingFacts& metho
         return result;
     case Vanishing::proved: break;
     }
+    if (method.has_flows) {
+        result.keeping = Keeping::measured;
+        result.reason = "flows of parts of H keep what every part keeps, which is not looked at";
+        return result;
+    }
     result.reason = has_rotations ? reason_of_bodies(quantity.finding, method)
                                   : reason_to_keep(quantity.finding, method);
     result.keeping = result.reason.empty() ? Keeping::not_in_general : Keeping::kept;
@@ -109,7 +114,8 @@ std::vector<Statement> statements(const SceneSymmetries& found, const KeepingFac
         }
         return result;
     }
-    for (std::size_t i = 0; i < all.size(); ++i) look_at_parts(result, i, all[i]->finding.made_of);
+    for (std::size_t i = 0; i < all.size() && !method.has_flows; ++i)
+        look_at_parts(result, i, all[i]->finding.made_of);
     if (!found.energy && !found.depends_on_time)
         result.push_back({"energy", Expression::symbol("energy"), Keeping::not_in_general,
                           found.rotations > 0 ? "it is no momentum map"

@@ -17,13 +17,15 @@ struct KeepingFacts {
     Verdict common_weights;  ///< b == b~
     Verdict runge_kutta;     ///< A == A~
     bool is_general_form = false;
+    bool has_flows = false;  ///< whether steps are flows of parts of H
 };
 [[nodiscard]] KeepingFacts keeping_facts(const DerivedMethod& method);
 
 enum class Keeping {
     kept,            ///< by each step, up to rounding and the solver's tolerance
     not_in_general,  ///< no known property of the method would keep it
-    measured,        ///< the momentum map of a symmetry that is not affine: runs measure it
+    measured,        ///< the momentum map of a symmetry that is not affine, or kept by steps that
+                     ///< are flows of parts of H where each of the parts keeps it: runs measure it
     not_conserved,   ///< the exact motion does not conserve it at all energies; it may at some
     unknown,         ///< whether the motion conserves it is not known
 };
