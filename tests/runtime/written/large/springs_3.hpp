@@ -127,7 +127,7 @@ public:
             const V a1 = hvi::detail::Stretch<V>::load(q + (e));
             const V a2 = hvi::detail::Stretch<V>::load(q + (e - 1));
             const V a3 = hvi::detail::Stretch<V>::load(q + (e + 1));
-            out[0] = V(c1_ * (a1 - a2) + c1_ * (a1 - a3));
+            out[0] = V(c1_ * (a1 - a2 + (a1 - a3)));
         }
 
         /// Force on any site.
