@@ -105,9 +105,14 @@ std::string summary(const WishedRun& wished, const Simulation& run, const Monito
     if (run.steps > 0) {
         line("time", fmt::format("{} a step, {} in all", duration(run.seconds_of_step),
                                  duration(run.seconds_of_step * static_cast<double>(run.steps))));
-        line("evaluations",
-             fmt::format("{:.2f} of d{}/dq a step, {} in all", per_step(run.evaluations, run.steps),
-                         subject.function_letter, run.evaluations));
+        if (const auto* flows = std::get_if<FlowStep>(&wished.stepper.step.form)) {
+            line("flows", fmt::format("{} a step, of {} parts of H", flows->moves.size(),
+                                      flows->fractions.size()));
+        } else {
+            line("evaluations", fmt::format("{:.2f} of d{}/dq a step, {} in all",
+                                            per_step(run.evaluations, run.steps),
+                                            subject.function_letter, run.evaluations));
+        }
         if (run.iterations > 0)
             line("iterations", fmt::format("{:.2f} a step", per_step(run.iterations, run.steps)));
     }

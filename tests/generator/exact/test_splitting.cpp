@@ -16,7 +16,7 @@ Splitting named(const std::string& name) {
     return on_new_ground([&](const Ground& ground) { return splitting(ground, name); });
 }
 
-using Orders = std::vector<std::size_t>;
+using OrdersOfParts = std::vector<std::size_t>;
 
 }  // namespace
 
@@ -68,13 +68,13 @@ TEST_CASE("a splitting is a palindrome with sums 1") {
 }
 
 TEST_CASE("orders for parts of different sizes are those of the authors") {
-    CHECK(splitting_orders(named("strang")) == Orders{2, 2});
-    CHECK(splitting_orders(named("saba:2")) == Orders{4, 2});
-    CHECK(splitting_orders(named("saba:3")) == Orders{6, 2});
-    CHECK(splitting_orders(named("mclachlan:8.2")) == Orders{8, 2});
-    CHECK(splitting_orders(named("saba:6")) == Orders{12, 2});
-    CHECK(splitting_orders(named("mclachlan:8.4")) == Orders{8, 4});
-    CHECK(splitting_orders(named("blanes:10.6.4")) == Orders{10, 6, 4});
+    CHECK(splitting_orders(named("strang")) == OrdersOfParts{2, 2});
+    CHECK(splitting_orders(named("saba:2")) == OrdersOfParts{4, 2});
+    CHECK(splitting_orders(named("saba:3")) == OrdersOfParts{6, 2});
+    CHECK(splitting_orders(named("mclachlan:8.2")) == OrdersOfParts{8, 2});
+    CHECK(splitting_orders(named("saba:6")) == OrdersOfParts{12, 2});
+    CHECK(splitting_orders(named("mclachlan:8.4")) == OrdersOfParts{8, 4});
+    CHECK(splitting_orders(named("blanes:10.6.4")) == OrdersOfParts{10, 6, 4});
 }
 
 TEST_CASE("a coefficient that is off by 1e-20 takes the order away") {
@@ -83,7 +83,7 @@ TEST_CASE("a coefficient that is off by 1e-20 takes the order away") {
     for (int k = 0; k < 20; ++k) { off = off / Number(10); }
     it.a[0] = it.a[0] + off;
     it.a[8] = it.a[8] - off;
-    CHECK(splitting_orders(it) == Orders{1});
+    CHECK(splitting_orders(it) == OrdersOfParts{1});
 }
 
 TEST_CASE("substeps make the flows of two parts") {
