@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <fmt/format.h>
+
 #include "generator/ir/system.hpp"
 #include "generator/support/error.hpp"
 

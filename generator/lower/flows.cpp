@@ -30,7 +30,7 @@ struct Freedom {
 /// A function of the variables, and its slopes by degrees of freedom and by conjugates.
 class FunctionWithFlow {
 public:
-    FunctionWithFlow(System& system, const Scaled& function, Node duration, Signs& signs)
+    FunctionWithFlow(System& system, const Scaled& function, Node duration, TurnSigns& signs)
         : system_(system),
           graph_(system.graph),
           function_(function),
@@ -248,13 +248,13 @@ private:
     [[nodiscard]] static Scaled input(Node node) { return {{1, 1}, node}; }
 
     /// Returns the second derivatives at q = p = 0.
-    [[nodiscard]] std::optional<QuadraticForm> form_at_origin(Node q, Node p) {
+    [[nodiscard]] std::optional<PlaneForm> form_at_origin(Node q, Node p) {
         const std::vector<Scaled> by_q = gradient(graph_, slope_by_q_, {q, p});
         const std::vector<Scaled> by_p = gradient(graph_, slope_by_p_, {p});
         const auto a = at_origin(graph_, by_q[0]), c = at_origin(graph_, by_q[1]);
         const auto b = at_origin(graph_, by_p[0]);
         if (!a || !b || !c) return {};
-        return QuadraticForm{*a, *b, *c};
+        return PlaneForm{*a, *b, *c};
     }
 
     bool add_quadratic(const Freedom& one) {
@@ -276,23 +276,23 @@ private:
     }
 
     /// Returns the gradient of the form.
-    [[nodiscard]] std::array<Scaled, 2> slopes(const QuadraticForm& form, Node q, Node p) {
+    [[nodiscard]] std::array<Scaled, 2> slopes(const PlaneForm& form, Node q, Node p) {
         const auto& [a, b, c] = form;
         return {graph_.sum({graph_.product(a, input(q)), graph_.product(c, input(p))}),
                 graph_.sum({graph_.product(c, input(q)), graph_.product(b, input(p))})};
     }
 
-    [[nodiscard]] bool is_gradient_of(const QuadraticForm& form, Node q, Node p) {
+    [[nodiscard]] bool is_gradient_of(const PlaneForm& form, Node q, Node p) {
         const auto [by_q, by_p] = slopes(form, q, p);
         return is_zero(difference(slope_by_q_, by_q)) && is_zero(difference(slope_by_p_, by_p));
     }
 
     /// Adds the flow of a form over a time. NOTE: where b = 0 it is that of a p^2/2 + b q^2/2 - c q
     /// p, with q in the place of p and -p in that of q.
-    bool add_oscillation(std::size_t k, const QuadraticForm& form, const Scaled& time) {
+    bool add_oscillation(std::size_t k, const PlaneForm& form, const Scaled& time) {
         const bool is_exchanged = form.b.is_zero();
         if (is_exchanged && form.a.is_zero()) return false;
-        QuadraticForm upright = form;
+        PlaneForm upright = form;
         if (is_exchanged) upright = {form.b, form.a, graph_.times({-1, 1}, form.c)};
         Shears shears = oscillation(graph_, signs_, upright, time);
         const Scaled q = input(q_[k]), p = input(p_[k]);
@@ -316,7 +316,7 @@ private:
     bool add_function_of_quadratic(const Freedom& one) {
         const std::size_t k = one.positions.front();
         const Node q = q_[k], p = p_[k];
-        for (const QuadraticForm& form : candidates(q, p)) {
+        for (const PlaneForm& form : candidates(q, p)) {
             const auto [by_q, by_p] = slopes(form, q, p);
             const Scaled bracket =
                 difference(graph_.product(slope_by_q_, by_p), graph_.product(slope_by_p_, by_q));
@@ -329,8 +329,8 @@ private:
 
     /// Returns quadratic forms that the function may depend on: its own second derivatives, and
     /// those of all that it is computed from.
-    [[nodiscard]] std::vector<QuadraticForm> candidates(Node q, Node p) {
-        std::vector<QuadraticForm> forms;
+    [[nodiscard]] std::vector<PlaneForm> candidates(Node q, Node p) {
+        std::vector<PlaneForm> forms;
         const auto size = static_cast<Node>(graph_.size());
         for (Node node = 0; node < size; ++node) {
             const Scaled value = input(node);
@@ -348,7 +348,7 @@ private:
 
     /// Returns f'(Q) at the variables. For q = 0 the form is b p^2/2, and f(Q) is the function at p
     /// = sqrt(2 Q/b).
-    [[nodiscard]] std::optional<Scaled> speed_of(const QuadraticForm& form, Node q, Node p) {
+    [[nodiscard]] std::optional<Scaled> speed_of(const PlaneForm& form, Node q, Node p) {
         const Scaled Q = graph_.input("value of a quadratic form", Role::direction);
         const Scaled square = graph_.product(graph_.times({2, 1}, Q), graph_.inverse(form.b));
         const Scaled f =
@@ -367,7 +367,7 @@ private:
     System& system_;
     Graph& graph_;
     Scaled function_;
-    Signs& signs_;
+    TurnSigns& signs_;
     Scaled tau_;
     std::vector<Node> q_, p_;
     std::vector<Scaled> by_p_, by_q_;
@@ -379,11 +379,11 @@ private:
 }  // namespace
 
 std::variant<Flow, NoFlow> flow_of(System& system, const Scaled& function, Node duration) {
-    Signs signs;
+    TurnSigns signs;
     std::variant<Flow, NoFlow> result = FunctionWithFlow(system, function, duration, signs)();
     auto* flow = std::get_if<Flow>(&result);
     if (flow == nullptr || signs.cosines.empty()) return result;
-    Signs ones{true};
+    TurnSigns ones{true};
     std::variant<Flow, NoFlow> usual = FunctionWithFlow(system, function, duration, ones)();
     flow->usual = {std::move(ones.cosines), std::move(std::get<Flow>(usual).moved)};
     return result;

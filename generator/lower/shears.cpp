@@ -6,7 +6,7 @@ namespace hvi::gen {
 namespace {
 
 /// Returns -1 where the cosine is negative, else 1.
-Scaled sign_of(Graph& graph, Signs& signs, const Scaled& cosine) {
+Scaled sign_of(Graph& graph, TurnSigns& signs, const Scaled& cosine) {
     signs.cosines.push_back(cosine);
     if (signs.are_ones) { return Graph::number(1); }
     return graph.call("if<", {cosine, Graph::number(0), Graph::number(-1), Graph::number(1)});
@@ -24,7 +24,7 @@ struct Oscillation {
     Scaled sign;
 };
 
-Oscillation bounded(Graph& graph, Signs& signs, const Scaled& frequency, const Scaled& time) {
+Oscillation bounded(Graph& graph, TurnSigns& signs, const Scaled& frequency, const Scaled& time) {
     const Scaled angle = graph.product(frequency, time);
     const Scaled cosine = graph.call("cos", {angle});
     const Scaled sign = sign_of(graph, signs, cosine);
@@ -40,7 +40,7 @@ Oscillation unbounded(Graph& graph, const Scaled& rate, const Scaled& time) {
 
 /// Returns the oscillation for a square of the frequency whose sign parameters decide. NOTE: for a
 /// rate k of 1e-15 sin(k t)/k is t to all digits, and all formats have its square.
-Oscillation of_any_sign(Graph& graph, Signs& signs, const Scaled& square, const Scaled& time) {
+Oscillation of_any_sign(Graph& graph, TurnSigns& signs, const Scaled& square, const Scaled& time) {
     const Scaled least = graph.constant(Expression::decimal("1e-30"));
     const Scaled size = graph.call("max", {graph.call("abs", {square}), least});
     const Scaled rate = graph.half_power(size, 1);
@@ -51,7 +51,7 @@ Oscillation of_any_sign(Graph& graph, Signs& signs, const Scaled& square, const 
     return {chosen(yes.sine, no.sine), chosen(yes.cosine, no.cosine), chosen(yes.sign, no.sign)};
 }
 
-Oscillation oscillating(Graph& graph, Signs& signs, const Scaled& square, const Scaled& time) {
+Oscillation oscillating(Graph& graph, TurnSigns& signs, const Scaled& square, const Scaled& time) {
     if (square.is_zero()) { return {time, Graph::number(1), Graph::number(1)}; }
     if (!graph.is_number(square)) { return of_any_sign(graph, signs, square, time); }
     if (square.factor.above < 0) {
@@ -74,7 +74,7 @@ PlaneChange sheared(Graph& graph, const Scaled& x, const Scaled& y, const Shears
     return {graph.sum({beside(x_0, x), first, last}), graph.sum({beside(y_0, y), middle})};
 }
 
-Shears rotation(Graph& graph, Signs& signs, const Scaled& angle) {
+Shears rotation(Graph& graph, TurnSigns& signs, const Scaled& angle) {
     const auto [sine, cosine, sign] = bounded(graph, signs, Graph::number(1), angle);
     const Scaled half = half_tangent(graph, sine, cosine);
     return {half, graph.times({-1, 1}, sine), half, sign};
@@ -83,7 +83,7 @@ Shears rotation(Graph& graph, Signs& signs, const Scaled& angle) {
 // With w^2 = a b - c^2, S = sin(w t)/w and C = cos(w t) the flow is q' = (C + c S) q + b S p, p' =
 // (C - c S) p - a S q. So the shear of q is b S, and those of p are (C - 1 +- c S)/(b S), where (C
 // - 1)/S = -w^2 S/(1 + C).
-Shears oscillation(Graph& graph, Signs& signs, const QuadraticForm& form, const Scaled& time) {
+Shears oscillation(Graph& graph, TurnSigns& signs, const PlaneForm& form, const Scaled& time) {
     const auto& [a, b, c] = form;
     const Scaled square =
         graph.sum({graph.product(a, b), graph.times({-1, 1}, graph.product(c, c))});

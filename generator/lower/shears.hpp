@@ -19,8 +19,8 @@ struct Shears {
     Scaled sign;  ///< 1, or a value that is 1 or -1
 };
 
-/// Signs of rotations.
-struct Signs {
+/// TurnSigns of rotations.
+struct TurnSigns {
     bool are_ones = false;             ///< whether each is taken for 1
     std::vector<Scaled> cosines = {};  ///< they are 1 where these are not negative
 };
@@ -30,10 +30,10 @@ struct Signs {
 
 /// Returns the rotation x' = x cos + y sin, y' = y cos - x sin by an angle. The shears are tan(r/2)
 /// and -sin(r) for the angle r in [-pi/2, pi/2] that is left after half a turn, which is the sign.
-[[nodiscard]] Shears rotation(Graph& graph, Signs& signs, const Scaled& angle);
+[[nodiscard]] Shears rotation(Graph& graph, TurnSigns& signs, const Scaled& angle);
 
 /// A quadratic form (a q^2 + 2 c q p + b p^2)/2.
-struct QuadraticForm {
+struct PlaneForm {
     Scaled a, b, c;
 };
 
@@ -42,7 +42,7 @@ struct QuadraticForm {
 ///
 /// NOTE: two shears more, to p + (c/b) q and back, are no product of shears in the changes of a
 /// step, as their roundings differ, and the energy drifts: 1e-18 of it a step.
-[[nodiscard]] Shears oscillation(Graph& graph, Signs& signs, const QuadraticForm& form,
+[[nodiscard]] Shears oscillation(Graph& graph, TurnSigns& signs, const PlaneForm& form,
                                  const Scaled& time);
 
 }  // namespace hvi::gen

@@ -44,10 +44,10 @@ constexpr std::array<MethodEntry, 5> method_table{{
 
 constexpr std::array<SplittingEntry, 5> splitting_table{{
     {"strang", "", "half of A, B, half of A: order 2", "Strang 1968"},
-    {"saba:S", "1..10", "for a small B, order (2*S, 2)", "Laskar & Robutel 2001"},
-    {"mclachlan:8.2", "", "for a small B, order (8, 2): saba:4", "McLachlan 1995"},
-    {"mclachlan:8.4", "", "for a small B, order (8, 4)", "McLachlan 1995"},
-    {"blanes:10.6.4", "", "for a small B, order (10, 6, 4)", "Blanes et al. 2013"},
+    {"saba:S", "1..10", "small B: order (2*S, 2)", "Laskar & Robutel 2001"},
+    {"mclachlan:8.2", "", "small B: order (8, 2): saba:4", "McLachlan 1995"},
+    {"mclachlan:8.4", "", "small B: order (8, 4)", "McLachlan 1995"},
+    {"blanes:10.6.4", "", "small B: order (10, 6, 4)", "Blanes et al. 2013"},
 }};
 
 constexpr std::string_view explicit_of_order_4 =

@@ -13,7 +13,7 @@ namespace hvi::test {
 /// Answers as a run does of a scene that keeps its energy.
 inline const std::string right_answers =
     "printf '%s\\n' 'seconds_of_step 1e-7' 'status ok' 'steps 10' 't 1' 'rest 0' 'rows 11' "
-    "'iterations 0' 'evaluations 10' 'start 0.5' 'largest 0' 'last 0'";
+    "'iterations 0' 'evaluations 10' 'start 0.5' 'largest 0' 'last 0' 'drift 0'";
 
 /// A place with that compiler and a scene; the cache is in `cache`, and other files that are for
 /// this time only in `temporary`.
