@@ -58,8 +58,8 @@ Scene scene_in(const SystemOptions& system, const std::vector<Parameter>& values
         Scene scene = find_scene(system.scene, values);
         if (system.split) {
             scene.split = *system.split;
-            scene.origin += *system.split == SplitChoice::automatic ? " --split auto"
-                                                                    : " --split none";
+            scene.origin +=
+                *system.split == SplitChoice::automatic ? " --split auto" : " --split none";
         }
         return scene;
     }

@@ -35,7 +35,7 @@ struct TableauOptions {
 struct SystemOptions {
     Given scene;  ///< a scene's name, or a file
     Given hamiltonian, coordinates, momenta;
-    UnrollWish sums = {};  ///< the choice for sums of a scene
+    UnrollWish sums = {};                   ///< the choice for sums of a scene
     std::optional<SplitChoice> split = {};  ///< parts of H in place of those of the scene
 };
 

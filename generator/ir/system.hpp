@@ -108,7 +108,7 @@ struct System {
 
     Structure structure;
     SecondOrder second;
-    std::optional<Sites> sites;  ///< where the system is a lattice, and not written out
+    std::optional<Sites> sites;             ///< where the system is a lattice, and not written out
     std::optional<HamiltonianParts> parts;  ///< where steps are flows of parts of H
 
     [[nodiscard]] const SystemFamily& family(const Access& access) const;

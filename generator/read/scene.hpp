@@ -143,12 +143,12 @@ struct Scene {
     std::set<std::string> fixed;           ///< parameters that a program cannot change
     OwnFunctions own;                      ///< functions that H and invariants may call
     std::vector<Definition> definitions;
-    std::vector<NamedIndexed> invariants;    ///< in the order of the file
-    std::set<std::string> approximate;       ///< invariants that are said to be nearly conserved
-    std::vector<IndexedField> fields;        ///< fields of [symmetries]
-    std::vector<IndexedEvent> events;        ///< in the order of the file
-    /// Parts for splittings; without a word of the user they are T(p) and U(q) where H is their sum,
-    /// else those that are found.
+    std::vector<NamedIndexed> invariants;  ///< in the order of the file
+    std::set<std::string> approximate;     ///< invariants that are said to be nearly conserved
+    std::vector<IndexedField> fields;      ///< fields of [symmetries]
+    std::vector<IndexedEvent> events;      ///< in the order of the file
+    /// Parts for splittings; without a word of the user they are T(p) and U(q) where H is their
+    /// sum, else those that are found.
     std::variant<std::monostate, IndexedSplit, SplitChoice> split = {};
     std::optional<IndexedScale> scale = {};  ///< none where steps are of time
     std::optional<Place> kinks = {};         ///< the key, where kinks of H end steps

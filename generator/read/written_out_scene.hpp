@@ -66,9 +66,9 @@ struct WrittenOutScene {
     std::vector<Parameter> parameters;                ///< all, in the order of the file
     OwnFunctions own;                                 ///< functions that H and invariants may call
     std::vector<NamedExpression> invariants;          ///< in the order of the file
-    std::set<std::string> approximate;     ///< invariants that are said to be nearly conserved
-    std::vector<VectorField> fields;       ///< fields of [symmetries], in the order of the file
-    std::vector<SceneEvent> events;        ///< in the order of the file; then kinks of H
+    std::set<std::string> approximate;  ///< invariants that are said to be nearly conserved
+    std::vector<VectorField> fields;    ///< fields of [symmetries], in the order of the file
+    std::vector<SceneEvent> events;     ///< in the order of the file; then kinks of H
     std::optional<SceneSplit> split;
     std::optional<SceneScale> scale;       ///< present until H is replaced by the H of scaled time
     std::optional<ScaledTime> scaled;      ///< present from then on

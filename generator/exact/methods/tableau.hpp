@@ -51,7 +51,7 @@ struct Galerkin {
 /// A method, with its known properties.
 struct Tableau : ButcherPair {
     Provenance provenance;
-    std::vector<std::string> parameters;  ///< free symbols in its numbers, sorted
+    std::vector<std::string> parameters;    ///< free symbols in its numbers, sorted
     std::optional<Galerkin> galerkin = {};  ///< empty for what Algorithm 4.3 did not make
     int digits = 0;  ///< digits of the decimals that its numbers are made of; 0: they are exact
 

@@ -375,6 +375,7 @@ TEST_CASE("directions that are not built are refused, and why") {
             "--tangent is not built for ensembles");
     refused({"--method", "stormer-verlet", "kepler", "--lanes", "gpu"},
             "--tangent is not built for --lanes gpu");
-    refused({"--method", "gauss:2", "heavy-top"}, "--tangent is not built for scenes with rotations");
+    refused({"--method", "gauss:2", "heavy-top"},
+            "--tangent is not built for scenes with rotations");
     refused({"--method", "gauss:2"}, "--tangent");
 }
