@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <vector>
 
 namespace sweeps_test {
@@ -30,7 +31,7 @@ public:
         const Real root = std::sqrt(Real(3)) / 6;
         c_ = {Real(1) / 2 - root, Real(1) / 2 + root};
         A_ = {{{Real(1) / 4, Real(1) / 4 - root}, {Real(1) / 4 + root, Real(1) / 4}}};
-        for (int i = 0; i < 2; ++i) { times_[i] = t + c_[i] * h; }
+        for (std::size_t i = 0; i < 2; ++i) { times_[i] = t + c_[i] * h; }
         predict();
         // NOTE: slopes at the start of the first two steps are swept 16 times more.
         const int count = past_.size() < 2 ? sweeps + 16 : sweeps;
@@ -64,7 +65,7 @@ private:
 
     template <class Function>
     void evaluate(Stages& slopes, Function function, const Stages& Q, const Stages& P) const {
-        for (int i = 0; i < 2; ++i) { slopes[i] = function(Q[i], P[i], times_[i]); }
+        for (std::size_t i = 0; i < 2; ++i) { slopes[i] = function(Q[i], P[i], times_[i]); }
     }
 
     /// Sets the slopes to those of the polynomial through those of the last two steps, else to
@@ -75,7 +76,7 @@ private:
             V_.fill(velocity_(q, p, t));
             return;
         }
-        for (int i = 0; i < 2; ++i) {
+        for (std::size_t i = 0; i < 2; ++i) {
             F_[i] = interpolated(times_[i], &Past::F);
             V_[i] = interpolated(times_[i], &Past::V);
         }
@@ -85,7 +86,7 @@ private:
     Real interpolated(Real at, Stages Past::*slopes) const {
         std::vector<Real> nodes, values;
         for (const Past& past : past_) {
-            for (int i = 0; i < 2; ++i) {
+            for (std::size_t i = 0; i < 2; ++i) {
                 nodes.push_back(past.times[i]);
                 values.push_back((past.*slopes)[i]);
             }
