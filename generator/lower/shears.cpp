@@ -81,18 +81,21 @@ Shears rotation(Graph& graph, TurnSigns& signs, const Scaled& angle) {
 }
 
 // With w^2 = a b - c^2, S = sin(w t)/w and C = cos(w t) the flow is q' = (C + c S) q + b S p, p' =
-// (C - c S) p - a S q. So the shear of q is b S, and those of p are (C - 1 +- c S)/(b S), where (C
-// - 1)/S = -w^2 S/(1 + C).
+// (C - c S) p - a S q. So the shear of q is b S, and those of p are (C - 1 +- c S)/(b S). With (C -
+// 1)/S = -w^2 T for T = S/(1 + C) they are -a T + c (c T +- 1)/b: without c any b will do.
 Shears oscillation(Graph& graph, TurnSigns& signs, const PlaneForm& form, const Scaled& time) {
     const auto& [a, b, c] = form;
     const Scaled square =
         graph.sum({graph.product(a, b), graph.times({-1, 1}, graph.product(c, c))});
     const auto [sine, cosine, sign] = oscillating(graph, signs, square, time);
-    const Scaled turn =
-        graph.times({-1, 1}, graph.product(square, half_tangent(graph, sine, cosine)));
-    const Scaled below = graph.inverse(b);
-    return {graph.product(below, graph.sum({turn, c})), graph.product(b, sine),
-            graph.product(below, graph.sum({turn, graph.times({-1, 1}, c)})), sign};
+    const Scaled half = half_tangent(graph, sine, cosine);
+    const auto shear_of_p = [&](long side) {
+        const Scaled slant =
+            graph.product(c, graph.sum({graph.product(c, half), Graph::number(side)}));
+        return graph.sum(
+            {graph.times({-1, 1}, graph.product(a, half)), graph.product(slant, graph.inverse(b))});
+    };
+    return {shear_of_p(1), graph.product(b, sine), shear_of_p(-1), sign};
 }
 
 }  // namespace hvi::gen

@@ -25,7 +25,7 @@ struct StateTexts {
     std::string_view state;  ///< name of the numbers in a row
     std::string_view end;    ///< after the step
 };
-constexpr StateTexts in_members{"hvi::detail::ChartState<Space> at = flat(x);", "at",
+constexpr StateTexts in_members{numbers_of_bodies::taken, numbers_of_bodies::name,
                                 "if (status.ok()) { set(x, at); }"};
 constexpr StateTexts in_a_row{"if (!system_.fits(x.q, x.p)) {\n"
                               "    return Status(Status::Code::dimension_mismatch);\n"

@@ -10,15 +10,6 @@ namespace hvi::gen {
 
 namespace {
 
-/// Texts for access to the numbers of a state.
-struct StateTexts {
-    std::string_view numbers, begin, at, set;
-};
-constexpr StateTexts in_vectors{"State", "", "x", ""};
-constexpr StateTexts in_members{"hvi::detail::ChartState<Space>",
-                                "hvi::detail::ChartState<Space> at = flat(x);", "at",
-                                "set(x, at);"};
-
 std::string fractions_text(const FlowStep& form) {
     Writer writer(1);
     for (std::size_t k = 0; k < form.fractions.size(); ++k) {
@@ -90,18 +81,21 @@ std::string support(const System& system, std::string_view code) {
 std::string emit_one(const OneStepMethod& method, const Step& step, const FlowStep& form,
                      const EmitOptions& options) {
     const System& system = *options.system;
-    const StateTexts& state = rotations_of(system) > 0 ? in_members : in_vectors;
+    const bool are_in_members = rotations_of(system) > 0;
+    const auto in_members = [&](std::string_view text, std::string_view otherwise) {
+        return std::string(are_in_members ? text : otherwise);
+    };
     const SystemPart part = system_part(method, step, options);
     const std::string fractions = fractions_text(form);
     const std::string flows = flows_text(system, library(options.wishes));
     Holes holes = holes_of(part);
     holes.merge(Holes{{"support", support(system, fractions + flows + part.types + part.construct)},
                       {"state", part.state},
-                      {"numbers", std::string(state.numbers)},
-                      {"begin", std::string(state.begin)},
-                      {"at", std::string(state.at)},
+                      {"numbers", in_members(numbers_of_bodies::type, "State")},
+                      {"begin", in_members(numbers_of_bodies::taken, "")},
+                      {"at", in_members(numbers_of_bodies::name, "x")},
                       {"moves", moves_text(form)},
-                      {"set", std::string(state.set)},
+                      {"set", in_members(numbers_of_bodies::put_back, "")},
                       {"flows", flows},
                       {"fractions", fractions},
                       {"lengths", lengths_text(form)},

@@ -23,6 +23,14 @@ struct SystemPart {
     std::string alias;       ///< text after the class; may be empty
 };
 
+/// Texts for the numbers of bodies, which stand in a row in a step and in members of a state x.
+namespace numbers_of_bodies {
+inline constexpr std::string_view type = "hvi::detail::ChartState<Space>";
+inline constexpr std::string_view taken = "hvi::detail::ChartState<Space> at = flat(x);";
+inline constexpr std::string_view name = "at";
+inline constexpr std::string_view put_back = "set(x, at);";
+}  // namespace numbers_of_bodies
+
 [[nodiscard]] SystemPart system_part(const OneStepMethod& method, const Step& step,
                                      const EmitOptions& options);
 

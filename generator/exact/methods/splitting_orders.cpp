@@ -15,6 +15,10 @@ namespace {
 
 constexpr Precision bits = 320;
 
+/// The largest order that is looked for in words of two letters B and more, of which there are
+/// many.
+constexpr std::size_t longest_of_more_letters = 9;
+
 using Words = std::map<std::string, Ball>;
 
 /// Series of words in A and B, with at most `most` letters B and `longest` letters.
@@ -123,8 +127,7 @@ std::size_t order_of_words(const Splitting& splitting, std::size_t count, std::s
 
 std::vector<std::size_t> splitting_orders(const Splitting& splitting) {
     std::vector<std::size_t> orders{order_of_words(splitting, 1, longest_splitting_order)};
-    // NOTE: a word of j letters B has at least one A, so that orders below j are not decided by it.
-    std::size_t longest = std::min<std::size_t>(orders.front(), 9);
+    std::size_t longest = std::min(orders.front(), longest_of_more_letters);
     for (std::size_t count = 2; count <= longest; ++count) {
         longest = std::min(longest, order_of_words(splitting, count, longest + 1));
         if (longest == orders.back() && orders.size() > 1) { break; }

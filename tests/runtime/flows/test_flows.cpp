@@ -10,6 +10,7 @@
 
 #include "flows/form.hpp"
 #include "flows/kerr.hpp"
+#include "flows/oscillator.hpp"
 #include "flows/spin.hpp"
 
 namespace {
@@ -60,6 +61,21 @@ TEST_CASE("the flow of a quadratic form is that of its matrix, for all signs and
             CHECK(std::abs(x.q[0] - expected[0]) <= 2e-14 * size);
             CHECK(std::abs(x.p[0] - expected[1]) <= 2e-14 * size);
         }
+    }
+}
+
+TEST_CASE("a form without a product takes zeros for its parameters") {
+    using hvi::generated::Oscillator;
+    for (const auto& [a, b] : {std::array{2.0, 0.0}, {0.0, 3.0}, {0.0, 0.0}}) {
+        Oscillator::Parameters of;
+        of.a = a;
+        of.b = b;
+        Oscillator stepper(of);
+        auto x = Oscillator::initial(of);
+        REQUIRE(stepper.step(x, 0.75).ok());
+        CAPTURE(a, b);
+        CHECK(std::abs(x.q[0] - (1 - 0.375 * b)) <= 1e-15);
+        CHECK(std::abs(x.p[0] - (-0.5 - 0.75 * a)) <= 1e-15);
     }
 }
 
