@@ -84,7 +84,7 @@ Shears rotation(Graph& graph, TurnSigns& signs, const Scaled& angle) {
 // (C - c S) p - a S q. So the shear of q is b S, and those of p are (C - 1 +- c S)/(b S). With (C -
 // 1)/S = -w^2 T for T = S/(1 + C) they are -a T + c (c T +- 1)/b: without c any b will do.
 Shears oscillation(Graph& graph, TurnSigns& signs, const PlaneForm& form, const Scaled& time) {
-    const auto& [a, b, c] = form;
+    const Scaled &a = form.a, &b = form.b, &c = form.c;
     const Scaled square =
         graph.sum({graph.product(a, b), graph.times({-1, 1}, graph.product(c, c))});
     const auto [sine, cosine, sign] = oscillating(graph, signs, square, time);
