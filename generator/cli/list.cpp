@@ -135,15 +135,19 @@ std::string split_table(const SystemOptions& system) {
     for (const HamiltonianPart& part : split.parts->parts)
         rows.push_back({part.name, part.flow, to_text(part.expression)});
     const bool is_named = std::holds_alternative<IndexedSplit>(scene.split);
+    const auto* choice = std::get_if<SplitChoice>(&scene.split);
+    const bool has_orbits = choice != nullptr && is_of_orbits(*choice);
     const std::size_t flows = 2 * rows.size() - 1;
     std::string text =
         table(fmt::format("Parts of H of {}, {}: their flows are exact", title(scene),
-                          is_named ? "as [split] names them" : "as found among its terms"),
+                          is_named     ? "as [split] names them"
+                          : has_orbits ? fmt::format("with {} orbits", word_of(*choice))
+                                       : "as found among its terms"),
               rows);
     text += fmt::format("strang takes {} flow{} a step, as in hvi-gen run --method strang {}\n",
                         flows, flows == 1 ? "" : "s", scene.origin);
     const bool is_kicked = is_separable(split) && rotations_of(split) == 0;
-    if (is_kicked && !is_named)
+    if (is_kicked && !is_named && !has_orbits)
         text +=
             "H is T(p) + U(q): without --split auto splittings step these by drifts and kicks\n";
     return text;

@@ -58,8 +58,7 @@ Scene scene_in(const SystemOptions& system, const std::vector<Parameter>& values
         Scene scene = find_scene(system.scene, values);
         if (system.split) {
             scene.split = *system.split;
-            scene.origin +=
-                *system.split == SplitChoice::automatic ? " --split auto" : " --split none";
+            scene.origin += fmt::format(" --split {}", word_of(*system.split));
         }
         return scene;
     }

@@ -363,7 +363,10 @@ Request help_request(const Words& words) {
 
 ListOptions list_options(const Words& words, const CommandLine& line) {
     ListOptions options{words.choice<Topic>("TOPIC").value_or(Topic::all), {}};
-    if (const Given scene = words.value("SCENE")) options.system.emplace().scene = scene;
+    if (const Given scene = words.value("SCENE")) {
+        options.system.emplace().scene = scene;
+        options.system->split = words.choice<SplitChoice>("--split");
+    }
     const bool takes_scene = options.topic == Topic::splits;
     if (takes_scene && !options.system)
         throw InputError("no scene is given", line.end(),

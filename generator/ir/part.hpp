@@ -19,6 +19,13 @@ struct Moved {
     Scaled change;
 };
 
+/// Values that a function of the runtime computes in each flow, an array from an array.
+struct RuntimeValues {
+    std::string function;  ///< in hvi::detail
+    std::vector<Scaled> given;
+    std::vector<Node> results;  ///< inputs of the graph
+};
+
 /// Changes where some values are not negative: where rotations turn by a quarter at most, they need
 /// no half turn.
 struct UsualFlow {
@@ -33,6 +40,7 @@ struct HamiltonianPart {
     std::string flow;       ///< in words: `kicks and drifts`
     std::vector<Moved> moved;
     std::optional<UsualFlow> usual;  ///< with fewer operations
+    std::vector<RuntimeValues> in_each_flow = {};  ///< that the changes are computed from
 };
 
 /// Parts whose sum is H. The change of a part over the time h is exact.

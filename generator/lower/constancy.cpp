@@ -73,6 +73,14 @@ bool seems_constant(const Graph& graph, const Expression& expression) {
     } catch (const MathError&) { return false; }
 }
 
+/// Returns whether an expression may be 0 at a point: as above, the test only saves work.
+bool seems_zero(const Graph& graph, const Expression& expression) {
+    try {
+        const Ball value = value_at(expression, sample_point(graph, 0), nullptr);
+        return arb_contains_zero(value.get()) != 0;
+    } catch (const MathError&) { return false; }
+}
+
 }  // namespace
 
 SymbolValues sample_point(const Graph& graph, std::size_t step) {
@@ -98,6 +106,12 @@ std::optional<Scaled> constant_value(Graph& graph, const Scaled& a) {
     if (!constant) { return std::nullopt; }
     const Expression difference = Expression::sum({*varying, Expression::negation(*constant)});
     return is_proved_zero(difference) ? value : std::nullopt;
+}
+
+bool is_proved_zero(const Graph& graph, const Scaled& a) {
+    if (a.is_zero()) { return true; }
+    const auto expression = written(graph, a);
+    return expression && seems_zero(graph, *expression) && is_proved_zero(*expression);
 }
 
 }  // namespace hvi::gen

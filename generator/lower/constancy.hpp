@@ -17,6 +17,9 @@ namespace hvi::gen {
 /// are free.
 [[nodiscard]] std::optional<Scaled> constant_value(Graph& graph, const Scaled& a);
 
+/// Returns whether a value is 0 for all variables and parameters, and that is proved.
+[[nodiscard]] bool is_proved_zero(const Graph& graph, const Scaled& a);
+
 /// Returns a value for each input, all different; those of the variables differ for each `step`.
 [[nodiscard]] SymbolValues sample_point(const Graph& graph, std::size_t step);
 

@@ -2,22 +2,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-#include <optional>
 #include <string>
 #include <variant>
-#include <vector>
 
-#include "generator/ir/part.hpp"
 #include "generator/ir/system.hpp"
+#include "generator/lower/flow.hpp"
 
 namespace hvi::gen {
-
-/// A flow, in words and as changes of variables, by their order.
-struct Flow {
-    std::string kind;
-    std::vector<Moved> moved;
-    std::optional<UsualFlow> usual = {};
-};
 
 /// The reason why no flow was found.
 struct NoFlow {
@@ -30,7 +21,8 @@ struct NoFlow {
 /// - a function of variables that it does not move: kicks, drifts, torques, which are shears;
 /// - a quadratic form of one degree of freedom: a rotation, or hyperbolic, as three shears;
 /// - a function f(Q) of such a form: the flow of Q with the speed f'(Q), as Q is conserved;
-/// - a function of one component of the angular momentum of a body: a turn about its axis.
+/// - a function of one component of the angular momentum of a body: a turn about its axis;
+/// - a kinetic energy and attractions -k/r of relative motions that do not couple: Kepler orbits.
 ///
 /// Shears are symplectic however their coefficients are rounded. Each property is proved by exact
 /// algebra. Precondition: the system is written out, and H does not depend on the time.

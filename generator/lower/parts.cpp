@@ -173,7 +173,8 @@ private:
 
     void add(std::string name, Expression expression, Flow flow) {
         parts_.parts.push_back({std::move(name), std::move(expression), std::move(flow.kind),
-                                std::move(flow.moved), std::move(flow.usual)});
+                                std::move(flow.moved), std::move(flow.usual),
+                                std::move(flow.in_each_flow)});
     }
 
     static constexpr const char* help_for_flows =

@@ -66,8 +66,10 @@ constexpr std::array lanes_of_rows = {choice("auto", Lanes::automatic),
                                       choice("none", Lanes::none)};
 constexpr std::array unrolls = {choice("auto", Unroll::automatic), choice("yes", Unroll::yes),
                                 choice("no", Unroll::no)};
-constexpr std::array splits = {choice("auto", SplitChoice::automatic),
-                               choice("none", SplitChoice::none)};
+constexpr auto split_choice(SplitChoice value) { return choice(word_of(value), value); }
+constexpr std::array splits = {
+    split_choice(SplitChoice::automatic), split_choice(SplitChoice::none),
+    split_choice(SplitChoice::jacobi), split_choice(SplitChoice::heliocentric)};
 constexpr std::array languages = {choice("c", Language::c), choice("python", Language::python)};
 constexpr std::array table_formats = {choice("csv", TableFormat::csv),
                                       choice("npy", TableFormat::npy),
@@ -320,11 +322,11 @@ constexpr std::array table = {
                 .help = "Write sums out, or keep them as loops",
                 .wish = &StepperWishes::unroll},
     OptionEntry{.name = "--split",
-                .of = {stepper, run, ensemble, module},
+                .of = {stepper, run, ensemble, module, list},
                 .value = Value::choice,
                 .placeholder = "SPLIT",
                 .choices = splits,
-                .help = "Parts of H for splittings: found, or T(p) and U(q)",
+                .help = "Parts of H for splittings: found, T and U, or orbits",
                 .needs = {.others = "SCENE"}},
     OptionEntry{.name = "--compose",
                 .of = {stepper, run, ensemble, module},

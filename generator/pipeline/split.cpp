@@ -3,6 +3,7 @@
 
 #include <variant>
 
+#include "generator/lower/orbit_coordinates.hpp"
 #include "generator/lower/parts.hpp"
 #include "generator/pipeline/refusals.hpp"
 
@@ -16,6 +17,9 @@ System in_parts(const LoweredScene& scene, const Method& method, const StepperWi
         throw InputError("directions, shadows and balances of the energy are not built for flows "
                          "of parts of H",
                          method.place, "take a method that is no splitting: gauss:2");
+    const auto* choice = std::get_if<SplitChoice>(&scene.scene.split);
+    if (choice != nullptr && is_of_orbits(*choice))
+        return with_orbits(scene.system, *choice, scene.place());
     return with_parts(scene.system, *scene.written);
 }
 

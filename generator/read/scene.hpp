@@ -103,15 +103,36 @@ struct IndexedScale {
 
 /// Parts of H for splittings, where the scene names none or they are not to be those of the scene.
 enum class SplitChoice {
-    automatic,  ///< those that are found
-    none,       ///< T(p) and U(q)
+    automatic,     ///< those that are found
+    none,          ///< T(p) and U(q)
+    jacobi,        ///< Kepler orbits about the centre of mass of the bodies before, and the rest
+    heliocentric,  ///< Kepler orbits about the first body, the motion of that, and the rest
 };
+
+/// Returns the word of users for it.
+[[nodiscard]] constexpr std::string_view word_of(SplitChoice choice) {
+    switch (choice) {
+    case SplitChoice::automatic: return "auto";
+    case SplitChoice::none: return "none";
+    case SplitChoice::jacobi: return "jacobi";
+    case SplitChoice::heliocentric: break;
+    }
+    return "heliocentric";
+}
+
+[[nodiscard]] constexpr bool is_of_orbits(SplitChoice choice) {
+    return choice == SplitChoice::jacobi || choice == SplitChoice::heliocentric;
+}
 
 /// The section [split]: parts of H whose sum it is.
 struct IndexedSplit {
     std::vector<NamedIndexed> parts;  ///< in the order of the file
     Place place;                      ///< the place of the section
 };
+
+/// Parts for splittings; without a word of the user they are T(p) and U(q) where H is their sum,
+/// else those that are found.
+using SplitOfScene = std::variant<std::monostate, IndexedSplit, SplitChoice>;
 
 /// A part of a function that has a name: `r`, or with indices `d[i]`.
 struct Definition {
@@ -147,9 +168,7 @@ struct Scene {
     std::set<std::string> approximate;     ///< invariants that are said to be nearly conserved
     std::vector<IndexedField> fields;      ///< fields of [symmetries]
     std::vector<IndexedEvent> events;      ///< in the order of the file
-    /// Parts for splittings; without a word of the user they are T(p) and U(q) where H is their
-    /// sum, else those that are found.
-    std::variant<std::monostate, IndexedSplit, SplitChoice> split = {};
+    SplitOfScene split = {};
     std::optional<IndexedScale> scale = {};  ///< none where steps are of time
     std::optional<Place> kinks = {};         ///< the key, where kinks of H end steps
     std::optional<ValueTable> initial;

@@ -368,19 +368,29 @@ void SceneReader::read_invariants(Scene& scene) const {
     for (const TomlEntry& entry : in_order(*table)) add_invariant(scene, entry);
 }
 
+/// Reads `coordinates = "jacobi"`, which makes the parts itself.
+SplitChoice SceneReader::orbit_coordinates(const toml::table& split) const {
+    const toml::node& node = *split.get("coordinates");
+    const std::string word = file_.text(node);
+    file_.check_keys(split, "section [split] with `coordinates`, which make the parts",
+                     {"coordinates"});
+    for (const SplitChoice choice : {SplitChoice::jacobi, SplitChoice::heliocentric})
+        if (word == word_of(choice)) return choice;
+    throw InputError(fmt::format("there are no coordinates `{}`", word), file_.place(node),
+                     "coordinates: jacobi, heliocentric");
+}
+
 /// Reads `A = "p^2/2"`, `B = "-cos(q)"`.
-std::optional<IndexedSplit> SceneReader::split() const {
+SplitOfScene SceneReader::split() const {
     constexpr std::size_t most_parts = 64;
     const toml::table* table = section("split", "A = \"p^2/2\"");
     if (table == nullptr) return {};
     check_absent("lagrangian", "split", "stands beside", "parts are of a Hamiltonian");
+    if (table->contains("coordinates")) return orbit_coordinates(*table);
     IndexedSplit split{{}, file_.place(*table)};
     for (const auto& [key, node] : in_order(*table)) {
         const std::string name(key->str());
-        const Place place = file_.place(key->source());
-        if (name == "coordinates")
-            throw InputError("`coordinates` is to come", place, "it is planned, and not built yet");
-        check_parameter_name(name, place, "a part");
+        check_parameter_name(name, file_.place(key->source()), "a part");
         split.parts.push_back(named(name, *node));
     }
     if (split.parts.empty() || split.parts.size() > most_parts)
@@ -460,7 +470,7 @@ Scene SceneReader::read() {
     read_invariants(scene);
     scene.fields = fields();
     scene.events = events();
-    if (std::optional<IndexedSplit> parts = split()) scene.split = *std::move(parts);
+    scene.split = split();
     read_time(scene);
     static_cast<void>(required("initial", "a section [initial] with lines such as x = 0"));
     scene.initial = values(*section("initial", "x = 0"));

@@ -50,7 +50,8 @@ private:
     void read_invariants(Scene& scene) const;
     void add_invariant(Scene& scene, const TomlEntry& entry) const;
     [[nodiscard]] const toml::node& value_of_invariant(const toml::table& table) const;
-    [[nodiscard]] std::optional<IndexedSplit> split() const;
+    [[nodiscard]] SplitOfScene split() const;
+    [[nodiscard]] SplitChoice orbit_coordinates(const toml::table& split) const;
     [[nodiscard]] std::vector<IndexedField> fields() const;
     [[nodiscard]] ValueTable values(const toml::table& table) const;
     [[nodiscard]] std::vector<IndexedEvent> events() const;

@@ -57,14 +57,25 @@ std::string flows_text(const System& system, std::string_view library) {
     return text;
 }
 
+[[nodiscard]] bool calls_runtime(const System& system) {
+    const std::vector<HamiltonianPart>& parts = system.parts->parts;
+    return std::any_of(parts.begin(), parts.end(), [](const HamiltonianPart& part) {
+        return !part.in_each_flow.empty();
+    });
+}
+
 /// Returns the headers of the runtime: copies, which need the standard library alone, but where
-/// bodies turn. `code`: all that calls functions.
+/// bodies turn or flows call the runtime. `code`: all that calls functions.
 std::string support(const System& system, std::string_view code) {
     const bool calls_math = code.find("hvi::math::") != std::string_view::npos;
     if (rotations_of(system) > 0) {
         return std::string("#include <hvi/detail/groups/chart_space.hpp>\n") +
                (calls_math ? "#include <hvi/detail/numbers/more_math.hpp>\n" : "") +
                "#include <hvi/detail/stages/flow_sums.hpp>\n#include <hvi/detail/stepper.hpp>\n\n";
+    }
+    if (calls_runtime(system)) {
+        return "#include <hvi/detail/stages/flow_sums.hpp>\n"
+               "#include <hvi/detail/stages/two_bodies.hpp>\n#include <hvi/detail/stepper.hpp>\n\n";
     }
     std::vector<std::string> names{"state", "detail/numbers/scalar"};
     if (calls_math) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/emit/system/flow_code.hpp"
 
+#include <fmt/ranges.h>
+
 #include <vector>
 
 #include "generator/emit/system/class_names.hpp"
@@ -71,9 +73,26 @@ private:
         std::vector<Scaled> values;
         for (const Moved& each : moved) { values.push_back(each.change); }
         begin(writer, head);
+        for (const RuntimeValues& each : part_.in_each_flow) { write_values(writer, each); }
         const std::vector<std::string> results = results_of(writer, std::move(values));
         move(writer, moved, results);
         writer.close();
+    }
+
+    /// Writes a call of a function of the runtime, whose results are values from then on.
+    void write_values(Writer& writer, const RuntimeValues& values) {
+        const std::string array = fmt::format("values_{}", ++arrays_);
+        // NOTE: in a scope of its own, as the code that follows has names of its own.
+        writer.line("const std::array<Scalar, {}> {} = [&] {{", values.results.size(), array);
+        Writer body(0);
+        const std::vector<std::string> given = results_of(body, values.given);
+        body.line("return hvi::detail::{}(std::array<Scalar, {}>{{{}}});", values.function,
+                  given.size(), fmt::format("{}", fmt::join(given, ", ")));
+        writer.insert(body.str());
+        writer.line("}}();");
+        for (std::size_t k = 0; k < values.results.size(); ++k) {
+            locals_[values.results[k]] = fmt::format("{}[{}]", array, k);
+        }
     }
 
     static void begin(Writer& writer, std::string_view head) {
@@ -84,8 +103,7 @@ private:
 
     [[nodiscard]] std::vector<std::string> results_of(Writer& writer, std::vector<Scaled> values) {
         const Kernel code = kernel(system_.graph, std::move(values));
-        return write_code(writer, system_.graph, code, names_.given(code, variable_names(system_)),
-                          library_);
+        return write_code(writer, system_.graph, code, names_.given(code, locals_), library_);
     }
 
     /// Writes all changes, from values before the flow, then the moves by them.
@@ -105,6 +123,8 @@ private:
     std::string name_;
     std::string_view library_;
     ClassNames names_;
+    NodeNames locals_ = variable_names(system_);  ///< what the calls are given
+    std::size_t arrays_ = 0;
 };
 
 }  // namespace

@@ -1,0 +1,21 @@
+// The flow of a function of the variables.
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "generator/ir/part.hpp"
+
+namespace hvi::gen {
+
+/// A flow, in words and as changes of variables, by their order.
+struct Flow {
+    std::string kind;
+    std::vector<Moved> moved;
+    std::optional<UsualFlow> usual = {};
+    std::vector<RuntimeValues> in_each_flow = {};
+};
+
+}  // namespace hvi::gen

@@ -1,0 +1,397 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generator/lower/orbit_coordinates.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "generator/graph/replaced.hpp"
+#include "generator/graph/written.hpp"
+#include "generator/lower/constancy.hpp"
+#include "generator/lower/derivative.hpp"
+#include "generator/lower/flows.hpp"
+#include "generator/lower/orbits.hpp"
+#include "generator/lower/taken_names.hpp"
+
+namespace hvi::gen {
+
+namespace {
+
+/// A pair of bodies that attract each other: -k d, where d is one over their distance.
+struct AttractingPair {
+    std::size_t first = 0, second = 0;
+    Scaled strength;         ///< k
+    Node inverse = 0;        ///< 1/|q - q'| in H
+    bool is_linear = false;  ///< whether H is linear in d
+};
+
+/// Bodies of H = p^T K p/2 + U(q), where K has one number for each body.
+struct AttractingBodies {
+    std::vector<std::vector<std::size_t>> coordinates;  ///< of each body, axis by axis
+    std::vector<Scaled> inverse_masses;
+    std::vector<AttractingPair> pairs;
+};
+
+Scaled less(Graph& graph, const Scaled& a, const Scaled& b) {
+    return graph.sum({a, graph.times({-1, 1}, b)});
+}
+
+class BodiesOfHamiltonian {
+public:
+    BodiesOfHamiltonian(System& system, const Place& place)
+        : system_(system),
+          graph_(system.graph),
+          place_(place),
+          q_(coordinate_nodes(system)),
+          p_(conjugate_nodes(system)) {}
+
+    [[nodiscard]] AttractingBodies operator()() && {
+        set_masses();
+        find_pairs();
+        if (bodies_.pairs.empty()) refuse("it has no attraction -k/r of two bodies");
+        find_strengths();
+        std::set<std::size_t> seen;
+        for (const auto& body : bodies_.coordinates) seen.insert(body.begin(), body.end());
+        for (std::size_t a = 0; a < q_.size(); ++a)
+            if (seen.count(a) == 0)
+                refuse(fmt::format("no body is attracted along {}", name_of(a)));
+        return std::move(bodies_);
+    }
+
+private:
+    [[noreturn]] void refuse(const std::string& reason) const {
+        throw MathError("this H is not one of bodies that attract each other: " + reason, place_,
+                        "orbits need H = sum_i |p_i|^2/(2 m_i) - sum_ij k_ij/|q_i-q_j| + U(q)");
+    }
+
+    [[nodiscard]] std::string name_of(std::size_t a) const { return graph_.at(q_[a]).name; }
+
+    /// Sets one over the mass for each coordinate: the second derivatives by momenta.
+    void set_masses() {
+        if (rotations_of(system_) > 0) refuse("bodies turn");
+        const Scaled& H = function_of(system_);
+        const std::vector<Scaled> slopes = gradient(graph_, H, p_);
+        for (std::size_t a = 0; a < p_.size(); ++a) {
+            const Scaled second = gradient(graph_, slopes[a], {p_[a]}).front();
+            const auto K = constant_value(graph_, second);
+            const Scaled p{{1, 1}, p_[a]};
+            if (!K || K->is_zero() ||
+                !is_proved_zero(graph_, less(graph_, slopes[a], graph_.product(*K, p))))
+                refuse(fmt::format("{} has no mass of its own", name_of(a)));
+            inverse_masses_.push_back(*K);
+        }
+    }
+
+    /// Returns the body that has a coordinate, which is new where none has.
+    std::size_t body_of(const std::vector<std::size_t>& coordinates) {
+        auto& bodies = bodies_.coordinates;
+        for (std::size_t b = 0; b < bodies.size(); ++b) {
+            const auto& body = bodies[b];
+            if (body == coordinates) return b;
+            for (const std::size_t a : coordinates)
+                if (std::find(body.begin(), body.end(), a) != body.end())
+                    refuse(fmt::format("{} is of two bodies", name_of(a)));
+        }
+        for (const std::size_t a : coordinates)
+            if (!is_proved_zero(graph_, less(graph_, inverse_masses_[a],
+                                             inverse_masses_[coordinates.front()])))
+                refuse(fmt::format("a body has another mass along {}", name_of(a)));
+        bodies.push_back(coordinates);
+        return bodies.size() - 1;
+    }
+
+    /// Finds the pairs among the distances in H; others are left to the rest of the potential.
+    void find_pairs() {
+        for (const auto& [inverse, square] : inverse_roots(graph_, function_of(system_))) {
+            const auto attraction = attraction_of(graph_, square, q_);
+            if (!attraction || !graph_.is_number(attraction->strength)) continue;
+            std::vector<std::size_t> first, second;
+            for (const LinearForm& component : attraction->components) {
+                const auto is = [&](long number) {
+                    return [number](const Scaled& a) { return a == Graph::number(number); };
+                };
+                const auto from = std::find_if(component.begin(), component.end(), is(1));
+                const auto to = std::find_if(component.begin(), component.end(), is(-1));
+                const auto others = std::count_if(component.begin(), component.end(),
+                                                  [](const Scaled& a) { return !a.is_zero(); });
+                if (from == component.end() || to == component.end() || others != 2) break;
+                first.push_back(static_cast<std::size_t>(from - component.begin()));
+                second.push_back(static_cast<std::size_t>(to - component.begin()));
+            }
+            if (first.size() != attraction->components.size()) continue;
+            const std::size_t a = body_of(first), b = body_of(second);
+            bodies_.pairs.push_back({a, b, attraction->strength, inverse});
+        }
+        order_bodies();
+    }
+
+    /// Orders the bodies as their coordinates in the scene.
+    void order_bodies() {
+        std::vector<std::size_t> place(bodies_.coordinates.size());
+        const auto before = bodies_.coordinates;
+        std::sort(bodies_.coordinates.begin(), bodies_.coordinates.end());
+        for (std::size_t b = 0; b < before.size(); ++b) {
+            const auto found =
+                std::find(bodies_.coordinates.begin(), bodies_.coordinates.end(), before[b]);
+            place[b] = static_cast<std::size_t>(found - bodies_.coordinates.begin());
+        }
+        for (AttractingPair& pair : bodies_.pairs) {
+            const auto ends = std::minmax(place[pair.first], place[pair.second]);
+            pair.first = ends.first;
+            pair.second = ends.second;
+        }
+        for (const auto& body : bodies_.coordinates)
+            bodies_.inverse_masses.push_back(inverse_masses_[body.front()]);
+    }
+
+    /// Sets the strengths of the pairs: what is linear in one over the distance.
+    void find_strengths() {
+        std::map<Node, Scaled> inputs;
+        std::vector<Node> distances;
+        for (const AttractingPair& pair : bodies_.pairs) {
+            const Scaled d = graph_.input(fmt::format("inverse distance {}", distances.size()),
+                                          Role::direction);
+            inputs[pair.inverse] = d;
+            distances.push_back(d.node);
+        }
+        const Scaled H = replaced(graph_, function_of(system_), inputs);
+        const std::vector<Scaled> slopes = gradient(graph_, H, distances);
+        for (std::size_t k = 0; k < slopes.size(); ++k) {
+            AttractingPair& pair = bodies_.pairs[k];
+            const auto slope = at_origin(graph_, slopes[k]);
+            if (!slope) refuse("it divides by a distance");
+            pair.is_linear = !varies(graph_.at(slopes[k].node).roles);
+            pair.strength = graph_.times({-1, 1}, graph_.product(*slope, pair.strength));
+        }
+    }
+
+    System& system_;
+    Graph& graph_;
+    const Place& place_;
+    std::vector<Node> q_, p_;
+    std::vector<Scaled> inverse_masses_;  ///< of coordinates
+    AttractingBodies bodies_;
+};
+
+/// Makes parts of H. Matrices and forms are those of one axis, with a number for each body.
+class OrbitParts {
+public:
+    OrbitParts(System system, const Place& place)
+        : system_(std::move(system)),
+          graph_(system_.graph),
+          place_(place),
+          bodies_(BodiesOfHamiltonian(system_, place)()),
+          q_(coordinate_nodes(system_)),
+          p_(conjugate_nodes(system_)) {
+        std::set<std::string> taken = taken_names(system_);
+        parts_.duration = graph_.input(new_name("tau", taken), Role::parameter).node;
+        for (const Scaled& inverse : bodies_.inverse_masses)
+            masses_.push_back(graph_.inverse(inverse));
+    }
+
+    [[nodiscard]] System operator()(SplitChoice coordinates) && {
+        const bool is_jacobi = coordinates == SplitChoice::jacobi;
+        OrbitForm form{of_coordinates(is_jacobi ? masses_alone() : without_first()), {}};
+        for (std::size_t j = 1; j < count(); ++j) {
+            Scaled strength = Graph::number(0);
+            for (const AttractingPair& pair : bodies_.pairs)
+                if (pair.second == j && (is_jacobi || pair.first == 0))
+                    strength = graph_.sum({strength, pair.strength});
+            if (!strength.is_zero())
+                form.attractions.push_back(
+                    {components(is_jacobi ? from_centre(j) : from_first(j)), strength});
+        }
+        if (form.attractions.empty())
+            throw MathError("no body is attracted by the first one", place_,
+                            "orbits are about the first body of the scene: put the heaviest there");
+        add_orbits(form);
+        if (!is_jacobi) add_motion_of_first();
+        add_rest(form);
+        system_.parts = std::move(parts_);
+        return std::move(system_);
+    }
+
+private:
+    [[nodiscard]] std::size_t count() const { return masses_.size(); }
+
+    // ---- forms of one axis ----
+
+    [[nodiscard]] LinearForm zeros() const { return LinearForm(count(), Graph::number(0)); }
+
+    /// Returns Q_j = q_j - sum_(i<j) m_i q_i/sum_(i<j) m_i.
+    [[nodiscard]] LinearForm from_centre(std::size_t j) {
+        const auto end = masses_.begin() + static_cast<std::ptrdiff_t>(j);
+        const Scaled whole = graph_.inverse(graph_.sum({masses_.begin(), end}));
+        LinearForm form = zeros();
+        form[j] = Graph::number(1);
+        for (std::size_t i = 0; i < j; ++i)
+            form[i] = graph_.times({-1, 1}, j == 1 ? Graph::number(1)
+                                                   : graph_.product(masses_[i], whole));
+        return form;
+    }
+
+    [[nodiscard]] LinearForm from_first(std::size_t j) const {
+        LinearForm form = zeros();
+        form[j] = Graph::number(1);
+        form[0] = Graph::number(-1);
+        return form;
+    }
+
+    [[nodiscard]] std::vector<LinearForm> masses_alone() const {
+        std::vector<LinearForm> K(count(), zeros());
+        for (std::size_t b = 0; b < count(); ++b) K[b][b] = bodies_.inverse_masses[b];
+        return K;
+    }
+
+    /// Returns K - c^T c/m_0, where c p is the momentum that moves the first body: the matrix of
+    /// P^2/(2 M) + sum_(i>0) P_i^2/(2 m_i) with P = sum_i p_i, M = sum_i m_i, P_i = p_i - m_i P/M.
+    [[nodiscard]] std::vector<LinearForm> without_first() {
+        std::vector<LinearForm> K = masses_alone();
+        const LinearForm c = motion_of_first();
+        for (std::size_t a = 0; a < count(); ++a)
+            for (std::size_t b = 0; b < count(); ++b)
+                K[a][b] = less(graph_, K[a][b],
+                               graph_.product(bodies_.inverse_masses[0],
+                                              graph_.product(c[a], c[b])));
+        return K;
+    }
+
+    /// Returns c with c p = sum_(i>0) P_i = (m_0 sum_(i>0) p_i - (M - m_0) p_0)/M.
+    [[nodiscard]] LinearForm motion_of_first() {
+        const Scaled whole = graph_.inverse(graph_.sum(masses_));
+        const Scaled others = graph_.sum({masses_.begin() + 1, masses_.end()});
+        LinearForm c(count(), graph_.product(masses_[0], whole));
+        c[0] = graph_.times({-1, 1}, graph_.product(others, whole));
+        return c;
+    }
+
+    // ---- forms of all coordinates ----
+
+    [[nodiscard]] std::size_t axes() const { return bodies_.coordinates.front().size(); }
+
+    [[nodiscard]] LinearForm along(std::size_t axis, const LinearForm& form) const {
+        LinearForm result(q_.size(), Graph::number(0));
+        for (std::size_t b = 0; b < count(); ++b)
+            result[bodies_.coordinates[b][axis]] = form[b];
+        return result;
+    }
+
+    [[nodiscard]] std::vector<LinearForm> components(const LinearForm& form) const {
+        std::vector<LinearForm> result;
+        for (std::size_t axis = 0; axis < axes(); ++axis) result.push_back(along(axis, form));
+        return result;
+    }
+
+    [[nodiscard]] std::vector<LinearForm> of_coordinates(const std::vector<LinearForm>& K) const {
+        std::vector<LinearForm> result(q_.size());
+        for (std::size_t b = 0; b < count(); ++b)
+            for (std::size_t axis = 0; axis < axes(); ++axis)
+                result[bodies_.coordinates[b][axis]] = along(axis, K[b]);
+        return result;
+    }
+
+    // ---- parts ----
+
+    void add(const std::string& name, const Scaled& value, Flow flow) {
+        parts_.parts.push_back({name,
+                                written(graph_, value).value_or(Expression::symbol("...")),
+                                std::move(flow.kind), std::move(flow.moved), std::move(flow.usual),
+                                std::move(flow.in_each_flow)});
+    }
+
+    /// Adds a part that moves p alone, or q alone.
+    void add_shear(const std::string& name, const Scaled& value) {
+        auto flow = flow_of(system_, value, parts_.duration);
+        if (const auto* none = std::get_if<NoFlow>(&flow))
+            throw MathError("what is left beside the orbits has no known flow: " + none->reason,
+                            place_);
+        add(name, value, std::get<Flow>(std::move(flow)));
+    }
+
+    void add_orbits(const OrbitForm& form) {
+        if (!are_apart(graph_, form))
+            throw MathError("it is not proved that the orbits do not couple", place_,
+                            "give masses as numbers, or as parameters without functions");
+        std::vector<Scaled> terms{kinetic_energy(form.kinetic)};
+        for (const Attraction& attraction : form.attractions)
+            terms.push_back(graph_.times({-1, 1}, over_distance(attraction)));
+        add("A", graph_.sum(std::move(terms)),
+            flow_of_orbits(graph_, form, q_, p_, parts_.duration));
+    }
+
+    [[nodiscard]] Scaled kinetic_energy(const std::vector<LinearForm>& K) {
+        std::vector<Scaled> terms;
+        for (std::size_t a = 0; a < p_.size(); ++a)
+            terms.push_back(graph_.product(momentum(a), applied(K[a], p_)));
+        return graph_.times({1, 2}, graph_.sum(std::move(terms)));
+    }
+
+    [[nodiscard]] Scaled momentum(std::size_t a) const { return {{1, 1}, p_[a]}; }
+
+    [[nodiscard]] Scaled applied(const LinearForm& form, const std::vector<Node>& variables) {
+        std::vector<Scaled> terms;
+        for (std::size_t a = 0; a < form.size(); ++a)
+            terms.push_back(graph_.product(form[a], {{1, 1}, variables[a]}));
+        return graph_.sum(std::move(terms));
+    }
+
+    /// Returns k/|Q|.
+    [[nodiscard]] Scaled over_distance(const Attraction& attraction) {
+        std::vector<Scaled> squares;
+        for (const LinearForm& component : attraction.components)
+            squares.push_back(graph_.half_power(applied(component, q_), 4));
+        return graph_.product(attraction.strength,
+                              graph_.half_power(graph_.sum(std::move(squares)), -1));
+    }
+
+    /// Adds C = (c p)^2/(2 m_0): all drift by the motion of the first body.
+    void add_motion_of_first() {
+        std::vector<Scaled> squares;
+        for (const LinearForm& c : components(motion_of_first()))
+            squares.push_back(graph_.half_power(applied(c, p_), 4));
+        add_shear("C", graph_.times({1, 2}, graph_.product(bodies_.inverse_masses[0],
+                                                           graph_.sum(std::move(squares)))));
+    }
+
+    /// Adds what is left of the potential: U(q) + sum_j k_j/|Q_j|. NOTE: attractions that are those
+    /// of orbits are left out of both, so that no two large numbers are to cancel.
+    void add_rest(OrbitForm form) {
+        std::map<Node, Scaled> removed;
+        for (const AttractingPair& pair : bodies_.pairs) {
+            if (!pair.is_linear) continue;
+            const auto is_its_orbit = [&](const Attraction& attraction) {
+                return attraction.components == components(from_first(pair.second)) &&
+                       attraction.strength == pair.strength;
+            };
+            const auto orbit =
+                std::find_if(form.attractions.begin(), form.attractions.end(), is_its_orbit);
+            if (pair.first != 0 || orbit == form.attractions.end()) continue;
+            removed[pair.inverse] = Graph::number(0);
+            form.attractions.erase(orbit);
+        }
+        for (const Node p : p_) removed[p] = Graph::number(0);
+        std::vector<Scaled> terms{replaced(graph_, function_of(system_), removed)};
+        for (const Attraction& attraction : form.attractions)
+            terms.push_back(over_distance(attraction));
+        add_shear("B", graph_.sum(std::move(terms)));
+    }
+
+    System system_;
+    Graph& graph_;
+    const Place& place_;
+    AttractingBodies bodies_;
+    std::vector<Node> q_, p_;
+    std::vector<Scaled> masses_;
+    HamiltonianParts parts_;
+};
+
+}  // namespace
+
+System with_orbits(System system, SplitChoice coordinates, const Place& place) {
+    return OrbitParts(std::move(system), place)(coordinates);
+}
+
+}  // namespace hvi::gen
