@@ -1,0 +1,445 @@
+// Flow of two bodies: the orbit of one about the other, by universal variables.
+// SPDX-License-Identifier: MIT
+//
+// NOTE: needs the standard library alone; see state.hpp.
+#ifndef HVI_TWO_BODIES_HPP
+#define HVI_TWO_BODIES_HPP
+
+#include <array>
+#include <cstddef>
+#include <type_traits>
+#include <utility>
+
+#include <hvi/detail/lanes/registers.hpp>
+#include <hvi/detail/numbers/arithmetic.hpp>
+#include <hvi/detail/numbers/math.hpp>
+#include <hvi/detail/numbers/scalar.hpp>
+
+namespace hvi::detail {
+
+// The letters are those of Wisdom & Hernandez (MNRAS 453, 2015) and Rein & Tamayo (MNRAS 452,
+// 2015):
+//
+//     beta = 2 mu/r0 - v0^2, eta = q0.v0, zeta = mu - beta r0,
+//     r0 s + eta G2 + zeta G3 = time, r = r0 + eta G1 + zeta G2,
+//
+// where G_k = s^k c_k(beta s^2) with Stumpff's functions c_k. They hold for ellipses, parabolas and
+// hyperbolas, also about a body that repels.
+
+/// Changes of positions and velocities along an orbit: q' = q + (f - 1) q + g v and
+/// v' = v + f_rate q + (g_rate - 1) v, where g = time + g_less_time.
+template <class Number, std::size_t n>
+struct OrbitChanges {
+    std::array<Number, n> f_less_1, g_less_time, f_rate, g_rate_less_1;
+};
+
+/// An orbit in units in which the first distance is 1, and the time of the flow is 1. mu, eta, beta
+/// and zeta are in these units; mu_rate is mu in units of that distance alone, times the time.
+template <class Part>
+struct UnitOrbit {
+    Part mu, eta, beta, zeta;
+    Part mu_rate, time;
+};
+
+/// Returns the orbit of q.q, q.v, v.v and mu. Where mu is 0 it is one that stays.
+template <class Part>
+[[nodiscard, gnu::always_inline]] inline UnitOrbit<Part>
+unit_orbit(const Part& r2, const Part& rv, const Part& v2, const Part& mu, const Part& time) {
+    using math::sqrt;
+    const Part inverse = Part(1) / sqrt(r2);
+    const Part tempo = time * inverse;
+    const auto is_free = mu == Part(0);
+    // NOTE: 0 times a number that is not finite is NaN.
+    const Part force = select(is_free, (mu * time) * r2, mu * inverse * tempo);
+    const Part unit_mu = force * select(is_free, Part(1), tempo);
+    const Part eta = select(is_free, mu * rv, rv * inverse * tempo);
+    const Part speed2 = select(is_free, mu * v2, v2 * tempo * tempo);
+    return {unit_mu,
+            eta,
+            unit_mu + (unit_mu - speed2),
+            speed2 - unit_mu,
+            force * select(is_free, Part(1), inverse),
+            time};
+}
+
+// ---- Stumpff's functions ----
+
+/// Returns how many terms of 1 - x 2!/4! + x^2 2!/6! - ... give it to round-off for |x| <= 1.
+template <class Number>
+[[nodiscard]] constexpr std::size_t count_stumpff_terms() {
+    std::size_t count = 1;
+    for (Number term = 1; term > epsilon<Number> / 64; ++count) {
+        term /= static_cast<Number>((2 * count + 1) * (2 * count + 2));
+    }
+    return count;
+}
+template <class Number>
+inline constexpr std::size_t stumpff_terms = count_stumpff_terms<Number>();
+
+/// Returns the coefficients 1/k!, -1/(k + 2)!, 1/(k + 4)!, ... of c_k.
+template <class Number, std::size_t k>
+[[nodiscard]] constexpr std::array<Number, stumpff_terms<Number>> stumpff_series() {
+    std::array<Number, stumpff_terms<Number>> series{};
+    Number factorial = 1;
+    for (std::size_t i = 2; i <= k; ++i) { factorial *= static_cast<Number>(i); }
+    for (std::size_t i = 0; i < series.size(); ++i) {
+        series[i] = 1 / factorial;
+        factorial *= -static_cast<Number>((k + 2 * i + 1) * (k + 2 * i + 2));
+    }
+    return series;
+}
+template <class Number, std::size_t k>
+inline constexpr auto stumpff_coefficients = stumpff_series<Number, k>();
+
+/// What rounding cuts off from 1/6. NOTE: four and two times a number are exact, and so are these
+/// differences.
+template <class Number>
+inline constexpr Number sixth = Number(1) / 6;
+template <class Number>
+inline constexpr Number rest_of_sixth = ((1 - 4 * sixth<Number>)-2 * sixth<Number>) / 6;
+
+/// Returns the series of c_k from the term of x^from on, divided by x^from, every `by`th term.
+template <class Number, std::size_t k, std::size_t from, std::size_t by, class Part>
+[[nodiscard, gnu::always_inline]] inline Part stumpff_tail(const Part& power) {
+    constexpr auto& series = stumpff_coefficients<Number, k>;
+    constexpr std::size_t last = from + (series.size() - 1 - from) / by * by;
+    Part sum(series[last]);
+    for (std::size_t i = last; i > from; i -= by) { sum = sum * power + Part(series[i - by]); }
+    return sum;
+}
+
+/// c_2 and c_3 of one argument.
+template <class Part>
+struct Stumpff {
+    Part c2, c3;
+};
+
+/// Returns c_2(x) and c_3(x) for |x| <= 1.
+///
+/// NOTE: a coefficient that is the same in each step has an error that is the same, by which the
+/// energy would drift. So the first ones are followed by what rounding cuts off from them.
+template <class Number, class Part>
+[[nodiscard, gnu::always_inline]] inline Stumpff<Part> stumpff_near_0(const Part& x) {
+    constexpr Number lost = rest_of_sixth<Number>;
+    const Part square = x * x;
+    const Part tail2 =
+        stumpff_tail<Number, 2, 2, 2>(square) + x * stumpff_tail<Number, 2, 3, 2>(square);
+    const Part tail3 =
+        stumpff_tail<Number, 3, 2, 2>(square) + x * stumpff_tail<Number, 3, 3, 2>(square);
+    const Part next2 = (x * tail2 - Part(lost / 4)) + Part(stumpff_coefficients<Number, 2>[1]);
+    const Part next3 = x * tail3 + Part(stumpff_coefficients<Number, 3>[1]);
+    return {x * next2 + Part(Number(1) / 2), (x * next3 + Part(lost)) + Part(sixth<Number>)};
+}
+
+/// Limit on how often arguments are quartered. Beyond it G_k overflow.
+inline constexpr std::size_t most_quarterings = 16;
+
+/// Returns c_2(x) and c_3(x), through quarters of x where |x| > 1.
+template <class Number, class Part>
+[[nodiscard, gnu::always_inline]] inline Stumpff<Part> stumpff(const Part& x) {
+    using Mask = decltype(x < x);
+    std::array<Mask, most_quarterings> is_quartered;
+    std::size_t count = 0;
+    Part y = x;
+    for (; count < most_quarterings; ++count) {
+        is_quartered[count] = Part(1) < abs(y);
+        if (!any(is_quartered[count])) { break; }
+        y = select(is_quartered[count], y * Part(Number(1) / 4), y);
+    }
+    Stumpff<Part> c = stumpff_near_0<Number>(y);
+    while (count-- > 0) {
+        const Part c0 = Part(1) - y * c.c2, c1 = Part(1) - y * c.c3;
+        const Mask& mask = is_quartered[count];
+        c.c3 = select(mask, (c.c2 + c0 * c.c3) * Part(Number(1) / 4), c.c3);
+        c.c2 = select(mask, c1 * c1 * Part(Number(1) / 2), c.c2);
+        y = select(mask, y * Part(4), y);
+    }
+    return c;
+}
+
+// ---- Kepler's equation ----
+
+/// A place s on an orbit, what holds there, and how far away the place of a time is.
+template <class Part>
+struct Place {
+    Part s, G0, G1, G2, G3;
+    Part r, r_rate, r_bend;  ///< distance, and its derivatives by s
+    Part time_left;
+    Part rest;  ///< the place of the time is s + rest, to fifth order
+    Part size;  ///< of what the fifth order is small in
+};
+
+/// Returns d for e = d + a d^2 + b d^3 + c d^4, to order e^4.
+template <class Number, class Part>
+[[nodiscard, gnu::always_inline]] inline Part inverse_series(const Part& e, const Part& a,
+                                                             const Part& b, const Part& c) {
+    const Part third = Part(2) * a * a - b;
+    const Part fourth = Part(5) * a * (a * a - b) + c;
+    return e - e * e * ((a - third * e) + fourth * (e * e));
+}
+
+/// Returns the place at s, where `time` is sought.
+template <class Number, class Part>
+[[nodiscard, gnu::always_inline]] inline Place<Part> place_at(const UnitOrbit<Part>& orbit,
+                                                              const Part& s, const Part& time) {
+    Place<Part> at;
+    const Part square = s * s;
+    const Part x = orbit.beta * square;
+    const Stumpff<Part> c = stumpff<Number>(x);
+    at.s = s;
+    at.G0 = Part(1) - x * c.c2;
+    at.G1 = s - s * (x * c.c3);
+    at.G2 = square * c.c2;
+    at.G3 = s * square * c.c3;
+    at.r = Part(1) + (orbit.eta * at.G1 + orbit.zeta * at.G2);
+    at.r_rate = orbit.eta * at.G0 + orbit.zeta * at.G1;
+    at.r_bend = orbit.zeta * at.G0 - orbit.beta * orbit.eta * at.G1;
+    at.time_left = (time - s) - (orbit.eta * at.G2 + orbit.zeta * at.G3);
+    const Part inverse = Part(1) / at.r;
+    const Part e = at.time_left * inverse;
+    const Part a = Part(Number(1) / 2) * at.r_rate * inverse;
+    const Part b = Part(Number(1) / 6) * at.r_bend * inverse;
+    at.rest = inverse_series<Number>(e, a, b, Part(Number(-1) / 12) * orbit.beta * a);
+    at.size = (e * e) * (a * a + abs(b));
+    return at;
+}
+
+/// Returns where the rest is so small that its powers from the fourth on are round-off.
+template <class Number, class Part>
+[[nodiscard, gnu::always_inline]] inline auto is_near(const Place<Part>& at) {
+    constexpr Number small = power_of_two<Number>(-bits<Number> / 3 - 2);
+    return abs(at.rest) <= Part(small) * abs(at.s) && at.size <= Part(small);
+}
+
+/// The four changes of one orbit, or of several.
+template <class Part>
+struct PartOfChanges {
+    Part f_less_1, g_less_time, f_rate, g_rate_less_1;
+};
+
+/// Returns the changes from the beginning of an orbit to the place of the time.
+///
+/// NOTE: the rest moves G_k and r, not s, which would be rounded.
+template <class Number, class Part>
+[[nodiscard, gnu::always_inline]] inline PartOfChanges<Part>
+changes_to(const UnitOrbit<Part>& orbit, const Place<Part>& at) {
+    const Part d = at.rest, half = Part(Number(1) / 2) * d;
+    const Part G1 = at.G1 + d * (at.G0 - half * (orbit.beta * at.G1));
+    const Part G2 = at.G2 + d * (at.G1 + half * at.G0);
+    const Part G3 = at.G3 + d * (at.G2 + half * at.G1);
+    const Part r = at.r + d * (at.r_rate + half * at.r_bend);
+    const Part fall = orbit.mu * G2;
+    return {-fall, -(orbit.time * (orbit.mu * G3)), -(orbit.mu_rate * G1) / r, -(fall / r)};
+}
+
+// ---- any orbit, one by one ----
+
+/// Returns the orbit on the way back: after the time it is where `orbit` is before the beginning.
+template <class Number>
+[[nodiscard]] UnitOrbit<Number> backwards(UnitOrbit<Number> orbit) {
+    orbit.eta = -orbit.eta;
+    orbit.mu_rate = -orbit.mu_rate;
+    orbit.time = -orbit.time;
+    return orbit;
+}
+
+/// Returns the integer that is nearest to x >= 0.
+template <class Number>
+[[nodiscard]] Number nearest_integer(Number x) {
+    constexpr Number whole = 1 / power_of_two<Number>(1 - bits<Number>);
+    return x < whole ? (x + whole) - whole : x;
+}
+
+/// Returns the time that whole periods take, the nearest to 1; 0 where there is no period.
+template <class Number>
+[[nodiscard]] Number time_of_periods(const UnitOrbit<Number>& orbit) {
+    if (!(orbit.beta > 0)) { return 0; }
+    // NOTE: 2 pi in doubles, of which wider numbers take three.
+    constexpr Number two_pi =
+        static_cast<Number>(6.283185307179586) +
+        (static_cast<Number>(2.4492935982947064e-16) + static_cast<Number>(-5.989539619436679e-33));
+    const Number period = two_pi * orbit.mu / (orbit.beta * math::sqrt(orbit.beta));
+    return is_finite(period) ? nearest_integer(1 / period) * period : Number(0);
+}
+
+/// Returns the step from a place by the method of Laguerre and Conway, which finds the solution
+/// from nearly everywhere.
+template <class Number>
+[[nodiscard]] Number laguerre_step(const Place<Number>& at) {
+    const Number root = 16 * at.r * at.r + 20 * at.time_left * at.r_rate;
+    return 5 * at.time_left / (at.r + math::sqrt(abs(root)));
+}
+
+/// Returns the place of a time >= 0. Time grows with s, so that halving an interval gets there
+/// where Laguerre's steps do not.
+template <class Number>
+[[nodiscard]] Place<Number> place_between(const UnitOrbit<Number>& orbit, Number time) {
+    constexpr int most = 4 * bits<Number> + 16384;
+    Number low = 0, high = time;
+    Place<Number> at = place_at<Number>(orbit, high, time);
+    int k = 0;
+    for (; k < most && at.time_left > 0 && !is_near<Number>(at); ++k) {
+        low = high;
+        high += high;
+        at = place_at<Number>(orbit, high, time);
+    }
+    Number step = high - low;
+    for (; k < most && !is_near<Number>(at); ++k) {
+        (at.time_left > 0 ? low : high) = at.s;
+        const Number last = step;
+        step = laguerre_step(at);
+        Number next = at.s + step;
+        // NOTE: G_k that overflow are NaN in sums.
+        if (!(low < next && next < high && abs(step) <= abs(last) / 2)) {
+            step = (high - low) / 2;
+            next = low + step;
+        }
+        if (!(low < next && next < high)) {
+            at.rest = 0;
+            break;
+        }
+        at = place_at<Number>(orbit, next, time);
+    }
+    return at;
+}
+
+/// Returns the changes of any orbit, after whole periods have been left out; NaN where numbers are
+/// not finite.
+template <class Number>
+[[nodiscard, gnu::noinline]] PartOfChanges<Number> changes_one_by_one(UnitOrbit<Number> orbit) {
+    const Number sum = orbit.mu + orbit.eta + orbit.beta + orbit.zeta + orbit.mu_rate + orbit.time;
+    if (!is_finite(sum)) {
+        const Number nan = sum - sum;
+        return {nan, nan, nan, nan};
+    }
+    const Number left_out = time_of_periods(orbit);
+    const Number g_of_periods = orbit.time * left_out;
+    const bool goes_back = left_out > 1;
+    if (goes_back) { orbit = backwards(orbit); }
+    const Number time = abs(1 - left_out);
+    PartOfChanges<Number> changes = changes_to<Number>(orbit, place_between(orbit, time));
+    changes.g_less_time -= g_of_periods;
+    return changes;
+}
+
+// ---- usual orbits, side by side ----
+
+/// Returns the changes of orbits, and sets `is_found` to where they are.
+///
+/// NOTE: what is found stays, whatever the others need.
+template <class Number, class Part, class Mask>
+[[nodiscard, gnu::always_inline]] inline PartOfChanges<Part>
+usual_changes(const UnitOrbit<Part>& orbit, Mask& is_found) {
+    constexpr int most = 6;
+    const Part one(1), far(8);
+    const Part a = Part(Number(1) / 2) * orbit.eta;
+    Part s = inverse_series<Number>(one, a, Part(Number(1) / 6) * orbit.zeta,
+                                    Part(Number(-1) / 12) * orbit.beta * a);
+    Mask is_usual = abs(orbit.beta * s * s) <= far;
+    for (int k = 1;; ++k) {
+        s = select(is_usual, s, Part(0));
+        const Place<Part> at = place_at<Number>(orbit, s, one);
+        is_found = is_usual && is_near<Number>(at);
+        if (k == most || all(is_found || !is_usual)) { return changes_to<Number>(orbit, at); }
+        s = select(is_found, s, s + at.rest);
+        is_usual = is_usual && abs(orbit.beta * s * s) <= far;
+    }
+}
+
+/// Returns how many orbits are computed at once, of n.
+template <class Number>
+[[nodiscard]] constexpr std::size_t orbits_at_once(std::size_t n) {
+    std::size_t width = 1;
+    for (std::size_t wider = 2; wider <= widest; wider *= 2) {
+        const bool is_there = (wider == 2 && has_register<Number, 2>) ||
+                              (wider == 4 && has_register<Number, 4>) ||
+                              (wider == 8 && has_register<Number, 8>);
+        if (is_there && width < n) { width = wider; }
+    }
+    return width;
+}
+
+/// Returns `width` numbers from the place `first` on, and the last one again where there are fewer.
+template <std::size_t width, class Number, std::size_t n, std::size_t... i>
+[[nodiscard, gnu::always_inline]] inline auto
+part_of(const std::array<Number, n>& numbers, std::size_t first, std::index_sequence<i...>) {
+    using Part = typename Register<Number, width>::Type;
+    if constexpr (width == 1) {
+        return numbers[first];
+    } else {
+        const auto place = [first](std::size_t k) { return first + k < n ? first + k : n - 1; };
+        return Part(typename Part::Vector{numbers[place(i)]...});
+    }
+}
+
+/// Sets numbers from the place `first` on, as many as there are.
+template <std::size_t width, class Number, std::size_t n, class Part>
+[[gnu::always_inline]] inline void set_part(std::array<Number, n>& numbers, std::size_t first,
+                                            const Part& part) {
+    if constexpr (width == 1) {
+        numbers[first] = part;
+    } else {
+        for (std::size_t i = 0; i < width && first + i < n; ++i) {
+            numbers[first + i] = part.vector[i];
+        }
+    }
+}
+
+/// Returns whether a mask is set at place k.
+template <class Mask>
+[[nodiscard]] inline bool is_set(const Mask& mask, std::size_t k) {
+    if constexpr (std::is_same_v<Mask, bool>) {
+        return mask;
+    } else {
+        return mask.bits[k] != 0;
+    }
+}
+
+template <std::size_t width, class Number, std::size_t n, class Part>
+[[gnu::always_inline]] inline void set_changes(OrbitChanges<Number, n>& changes, std::size_t first,
+                                               const PartOfChanges<Part>& part) {
+    set_part<width>(changes.f_less_1, first, part.f_less_1);
+    set_part<width>(changes.g_less_time, first, part.g_less_time);
+    set_part<width>(changes.f_rate, first, part.f_rate);
+    set_part<width>(changes.g_rate_less_1, first, part.g_rate_less_1);
+}
+
+/// Returns the changes along n orbits that do not depend on each other: q'' = -mu q/|q|^3, where
+/// r2 = q.q, rv = q.v and v2 = v.v.
+///
+/// mu may be of any sign; where it is 0 all changes are 0. The time may be of any sign, and long:
+/// whole periods are left out. The changes are, to round-off, those of an orbit whose r2, rv, v2,
+/// mu and time differ from the given ones by round-off. A body that falls straight into the other
+/// comes back from there, which is the limit of ever thinner ellipses; where it is there at the
+/// end, and where the numbers are not finite, the changes are not finite.
+///
+/// The changes of an orbit do not depend on the other orbits beside it, up to what the compiler
+/// makes of products and sums in registers and out of them: with -ffp-contract=off not by a bit.
+template <class Number, std::size_t n>
+[[nodiscard]] OrbitChanges<Number, n>
+orbit_changes(const std::array<Number, n>& r2, const std::array<Number, n>& rv,
+              const std::array<Number, n>& v2, const std::array<Number, n>& mu, Number time) {
+    constexpr std::size_t width = orbits_at_once<Number>(n);
+    using Part = typename Register<Number, width>::Type;
+    constexpr auto places = std::make_index_sequence<width>();
+    OrbitChanges<Number, n> changes;
+    for (std::size_t first = 0; first < n; first += width) {
+        const UnitOrbit<Part> orbit = unit_orbit<Part>(
+            part_of<width>(r2, first, places), part_of<width>(rv, first, places),
+            part_of<width>(v2, first, places), part_of<width>(mu, first, places), Part(time));
+        typename MaskOf<Part>::type is_found;
+        set_changes<width>(changes, first, usual_changes<Number>(orbit, is_found));
+        if (all(is_found)) { continue; }
+        for (std::size_t k = first; k < n && k < first + width; ++k) {
+            if (is_set(is_found, k - first)) { continue; }
+            set_changes<1>(
+                changes, k,
+                changes_one_by_one(unit_orbit<Number>(r2[k], rv[k], v2[k], mu[k], time)));
+        }
+    }
+    return changes;
+}
+
+}  // namespace hvi::detail
+
+#endif  // HVI_TWO_BODIES_HPP
