@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <numeric>
 #include <optional>
 #include <set>
@@ -14,6 +15,7 @@
 #include "generator/graph/replaced.hpp"
 #include "generator/lower/constancy.hpp"
 #include "generator/lower/derivative.hpp"
+#include "generator/lower/orbits.hpp"
 #include "generator/lower/shears.hpp"
 #include "generator/lower/turns.hpp"
 
@@ -54,7 +56,10 @@ public:
             return std::pair(left.is_conjugate, left.component) <
                    std::pair(right.is_conjugate, right.component);
         });
-        return Flow{fmt::format("{}", fmt::join(kinds, ", ")), std::move(moved_)};
+        return Flow{fmt::format("{}", fmt::join(kinds, ", ")),
+                    std::move(moved_),
+                    {},
+                    std::move(in_each_flow_)};
     }
 
 private:
@@ -167,6 +172,7 @@ private:
     /// known.
     std::string add(const std::vector<std::size_t>& together) {
         if (add_shear(together)) return "a shear";
+        if (add_orbits(together)) return name_of_orbits;
         if (together.size() > 1) return {};
         const Freedom& one = freedoms_[together.front()];
         if (is_body(one)) return add_turn(one) ? "a turn about an axis of a body" : "";
@@ -208,6 +214,26 @@ private:
             const std::size_t k_q = freedom.positions.front();
             add(false, k_q, over_time(by_p_[freedom.momenta.front()]));
         }
+        return true;
+    }
+
+    /// Adds orbits about each other of bodies that do not turn.
+    bool add_orbits(const std::vector<std::size_t>& together) {
+        std::vector<std::size_t> numbers;
+        std::vector<Node> q, p;
+        for (const std::size_t k : together) {
+            if (is_body(freedoms_[k])) return false;
+            numbers.push_back(freedoms_[k].positions.front());
+            q.push_back(q_[numbers.back()]);
+            p.push_back(p_[numbers.back()]);
+        }
+        const auto form = orbit_form_of(graph_, function_, q, p);
+        if (!form || !are_apart(graph_, *form)) return false;
+        Flow flow = flow_of_orbits(graph_, *form, q, p, tau_.node);
+        for (const Moved& moved : flow.moved)
+            add(moved.is_conjugate, numbers[moved.component], moved.change);
+        std::move(flow.in_each_flow.begin(), flow.in_each_flow.end(),
+                  std::back_inserter(in_each_flow_));
         return true;
     }
 
@@ -373,6 +399,7 @@ private:
     std::vector<Scaled> by_p_, by_q_;
     std::vector<Freedom> freedoms_;
     std::vector<Moved> moved_;
+    std::vector<RuntimeValues> in_each_flow_;
     Scaled slope_by_q_, slope_by_p_;  ///< of the degree of freedom that is looked at
 };
 

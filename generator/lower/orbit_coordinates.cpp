@@ -96,8 +96,8 @@ private:
                     refuse(fmt::format("{} is of two bodies", name_of(a)));
         }
         for (const std::size_t a : coordinates)
-            if (!is_proved_zero(graph_, less(graph_, inverse_masses_[a],
-                                             inverse_masses_[coordinates.front()])))
+            if (!is_proved_zero(
+                    graph_, less(graph_, inverse_masses_[a], inverse_masses_[coordinates.front()])))
                 refuse(fmt::format("a body has another mass along {}", name_of(a)));
         bodies.push_back(coordinates);
         return bodies.size() - 1;
@@ -152,8 +152,8 @@ private:
         std::map<Node, Scaled> inputs;
         std::vector<Node> distances;
         for (const AttractingPair& pair : bodies_.pairs) {
-            const Scaled d = graph_.input(fmt::format("inverse distance {}", distances.size()),
-                                          Role::direction);
+            const Scaled d =
+                graph_.input(fmt::format("inverse distance {}", distances.size()), Role::direction);
             inputs[pair.inverse] = d;
             distances.push_back(d.node);
         }
@@ -228,8 +228,8 @@ private:
         LinearForm form = zeros();
         form[j] = Graph::number(1);
         for (std::size_t i = 0; i < j; ++i)
-            form[i] = graph_.times({-1, 1}, j == 1 ? Graph::number(1)
-                                                   : graph_.product(masses_[i], whole));
+            form[i] = graph_.times({-1, 1},
+                                   j == 1 ? Graph::number(1) : graph_.product(masses_[i], whole));
         return form;
     }
 
@@ -253,9 +253,9 @@ private:
         const LinearForm c = motion_of_first();
         for (std::size_t a = 0; a < count(); ++a)
             for (std::size_t b = 0; b < count(); ++b)
-                K[a][b] = less(graph_, K[a][b],
-                               graph_.product(bodies_.inverse_masses[0],
-                                              graph_.product(c[a], c[b])));
+                K[a][b] =
+                    less(graph_, K[a][b],
+                         graph_.product(bodies_.inverse_masses[0], graph_.product(c[a], c[b])));
         return K;
     }
 
@@ -274,8 +274,7 @@ private:
 
     [[nodiscard]] LinearForm along(std::size_t axis, const LinearForm& form) const {
         LinearForm result(q_.size(), Graph::number(0));
-        for (std::size_t b = 0; b < count(); ++b)
-            result[bodies_.coordinates[b][axis]] = form[b];
+        for (std::size_t b = 0; b < count(); ++b) result[bodies_.coordinates[b][axis]] = form[b];
         return result;
     }
 
@@ -296,8 +295,7 @@ private:
     // ---- parts ----
 
     void add(const std::string& name, const Scaled& value, Flow flow) {
-        parts_.parts.push_back({name,
-                                written(graph_, value).value_or(Expression::symbol("...")),
+        parts_.parts.push_back({name, written(graph_, value).value_or(Expression::symbol("...")),
                                 std::move(flow.kind), std::move(flow.moved), std::move(flow.usual),
                                 std::move(flow.in_each_flow)});
     }

@@ -87,9 +87,8 @@ std::optional<SquareOfVector> square_of_vector(Graph& graph, std::vector<LinearF
             if (form[b].is_zero()) continue;
             is_left[b] = false;
             for (std::size_t c = 0; c < size; ++c) {
-                const Scaled rest =
-                    minus(graph, matrix[b][c],
-                          graph.product(factor, graph.product(form[b], form[c])));
+                const Scaled rest = minus(graph, matrix[b][c],
+                                          graph.product(factor, graph.product(form[b], form[c])));
                 if (!is_proved_zero(graph, rest)) return {};
             }
         }
@@ -133,6 +132,10 @@ std::optional<OrbitForm> orbit_form_of(Graph& graph, const Scaled& function,
     std::map<Node, Scaled> inverses;
     std::vector<Node> distances;
     for (const auto& [root, square] : inverse_roots(graph, function)) {
+        const std::vector<Scaled> slopes = gradient(graph, square, q);
+        if (std::all_of(slopes.begin(), slopes.end(),
+                        [](const Scaled& slope) { return slope.is_zero(); }))
+            continue;
         auto attraction = attraction_of(graph, square, q);
         if (!attraction) return {};
         const Scaled inverse =
@@ -189,8 +192,8 @@ bool are_apart(Graph& graph, const OrbitForm& form) {
         for (std::size_t j = 0; j < form.attractions.size(); ++j) {
             for (std::size_t c = 0; c < all_rates[i].size(); ++c) {
                 for (std::size_t d = 0; d < form.attractions[j].components.size(); ++d) {
-                    const Scaled product = value_of_form(
-                        graph, form.attractions[j].components[d], all_rates[i][c]);
+                    const Scaled product =
+                        value_of_form(graph, form.attractions[j].components[d], all_rates[i][c]);
                     const bool is_own = i == j && c == d;
                     if (!is_proved_zero(graph, is_own ? minus(graph, product, own) : product))
                         return false;
@@ -223,7 +226,8 @@ public:
         for (std::size_t a = 0; a < q_.size(); ++a)
             of_q_[a].push_back(graph_.product(tau_, velocity_[a]));
         const std::size_t count = form_.attractions.size();
-        // NOTE: by kinds of values, for vectors of the processor: see orbit_values() of the runtime.
+        // NOTE: by kinds of values, for vectors of the processor: see orbit_values() of the
+        // runtime.
         std::vector<Scaled> squares, products, speeds, strengths;
         for (std::size_t j = 0; j < count; ++j) {
             const auto [Q, V] = vectors(j);
@@ -245,7 +249,7 @@ public:
         for (std::size_t a = 0; a < of_p_.size(); ++a)
             moved.push_back({true, a, graph_.sum(std::move(of_p_[a]))});
         std::erase_if(moved, [](const Moved& each) { return each.change.is_zero(); });
-        return {"Kepler orbits", std::move(moved), {}, {std::move(values)}};
+        return {name_of_orbits, std::move(moved), {}, {std::move(values)}};
     }
 
 private:
@@ -282,8 +286,8 @@ private:
     void add_changes(std::size_t j, const std::vector<Scaled>& Q, const std::vector<Scaled>& V) {
         const Scaled mass = graph_.inverse(inverse_mass(j));
         const auto moved = [&](std::size_t kind, std::size_t c) {
-            return graph_.sum({graph_.product(change(kind, j), Q[c]),
-                               graph_.product(change(kind + 1, j), V[c])});
+            return graph_.sum(
+                {graph_.product(change(kind, j), Q[c]), graph_.product(change(kind + 1, j), V[c])});
         };
         for (std::size_t c = 0; c < Q.size(); ++c) {
             add(of_q_, rates_[j][c], mass, moved(0, c));

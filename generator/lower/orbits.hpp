@@ -11,6 +11,9 @@
 
 namespace hvi::gen {
 
+/// Kind of their flow, in words.
+inline constexpr const char* name_of_orbits = "Kepler orbits";
+
 /// A linear form: factors of the coordinates, zeros included.
 using LinearForm = std::vector<Scaled>;
 

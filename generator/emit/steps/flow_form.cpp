@@ -1,5 +1,7 @@
 // Headers of steps that are flows of parts of H.
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <algorithm>
+
 #include "generator/emit/steps/copies.hpp"
 #include "generator/emit/steps/header.hpp"
 #include "generator/emit/steps/system_part.hpp"
@@ -57,11 +59,10 @@ std::string flows_text(const System& system, std::string_view library) {
     return text;
 }
 
-[[nodiscard]] bool calls_runtime(const System& system) {
+bool calls_runtime(const System& system) {
     const std::vector<HamiltonianPart>& parts = system.parts->parts;
-    return std::any_of(parts.begin(), parts.end(), [](const HamiltonianPart& part) {
-        return !part.in_each_flow.empty();
-    });
+    return std::any_of(parts.begin(), parts.end(),
+                       [](const HamiltonianPart& part) { return !part.in_each_flow.empty(); });
 }
 
 /// Returns the headers of the runtime: copies, which need the standard library alone, but where
