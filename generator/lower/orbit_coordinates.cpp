@@ -200,7 +200,7 @@ public:
             for (const AttractingPair& pair : bodies_.pairs)
                 if (pair.second == j && (is_jacobi || pair.first == 0))
                     strength = graph_.sum({strength, pair.strength});
-            if (!strength.is_zero())
+            if (!is_proved_zero(graph_, strength))
                 form.attractions.push_back(
                     {components(is_jacobi ? from_centre(j) : from_first(j)), strength});
         }
