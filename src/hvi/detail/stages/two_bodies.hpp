@@ -134,27 +134,33 @@ template <class Number, class Part>
 /// Limit on how often arguments are quartered. Beyond it G_k overflow.
 inline constexpr std::size_t most_quarterings = 16;
 
-/// Returns c_2(x) and c_3(x), through quarters of x where |x| > 1.
+/// Returns c_2(x) and c_3(x) through those of quarters of x, where |x| > 1.
 template <class Number, class Part>
-[[nodiscard, gnu::always_inline]] inline Stumpff<Part> stumpff(const Part& x) {
-    using Mask = decltype(x < x);
+[[nodiscard, gnu::noinline]] Stumpff<Part> stumpff_of_quarters(const Part& x) {
+    using Mask = typename MaskOf<Part>::type;
+    const Part one(1), half(Number(1) / 2), quarter(Number(1) / 4);
     std::array<Mask, most_quarterings> is_quartered;
     std::size_t count = 0;
     Part y = x;
-    for (; count < most_quarterings; ++count) {
-        is_quartered[count] = Part(1) < abs(y);
-        if (!any(is_quartered[count])) { break; }
-        y = select(is_quartered[count], y * Part(Number(1) / 4), y);
+    for (; count < most_quarterings && any(one < abs(y)); ++count) {
+        is_quartered[count] = one < abs(y);
+        y = select(is_quartered[count], quarter * y, y);
     }
     Stumpff<Part> c = stumpff_near_0<Number>(y);
-    while (count-- > 0) {
-        const Part c0 = Part(1) - y * c.c2, c1 = Part(1) - y * c.c3;
-        const Mask& mask = is_quartered[count];
-        c.c3 = select(mask, (c.c2 + c0 * c.c3) * Part(Number(1) / 4), c.c3);
-        c.c2 = select(mask, c1 * c1 * Part(Number(1) / 2), c.c2);
-        y = select(mask, y * Part(4), y);
+    while (count > 0) {
+        const Mask& mask = is_quartered[--count];
+        const Part c0 = one - y * c.c2, c1 = one - y * c.c3;
+        c = {select(mask, half * (c1 * c1), c.c2),
+             select(mask, quarter * (c.c2 + c0 * c.c3), c.c3)};
+        y = select(mask, Part(4) * y, y);
     }
     return c;
+}
+
+/// Returns c_2(x) and c_3(x).
+template <class Number, class Part>
+[[nodiscard, gnu::always_inline]] inline Stumpff<Part> stumpff(const Part& x) {
+    return any(Part(1) < abs(x)) ? stumpff_of_quarters<Number>(x) : stumpff_near_0<Number>(x);
 }
 
 // ---- Kepler's equation ----
@@ -165,17 +171,21 @@ struct Place {
     Part s, G0, G1, G2, G3;
     Part r, r_rate, r_bend;  ///< distance, and its derivatives by s
     Part time_left;
-    Part rest;  ///< the place of the time is s + rest, to fifth order
-    Part size;  ///< of what the fifth order is small in
+    Part rest;    ///< the place of the time is s + rest, to order 6 in what is left
+    Part square;  ///< of what the order is in
 };
 
-/// Returns d for e = d + a d^2 + b d^3 + c d^4, to order e^4.
+/// Returns d for e = d + a d^2 + b d^3 - beta (a d^4/12 + b d^5/20), to order e^5.
 template <class Number, class Part>
 [[nodiscard, gnu::always_inline]] inline Part inverse_series(const Part& e, const Part& a,
-                                                             const Part& b, const Part& c) {
-    const Part third = Part(2) * a * a - b;
-    const Part fourth = Part(5) * a * (a * a - b) + c;
-    return e - e * e * ((a - third * e) + fourth * (e * e));
+                                                             const Part& b, const Part& beta) {
+    const Part a2 = a * a;
+    const Part third = Part(2) * a2 - b;
+    const Part fourth = a * (Part(5) * (b - a2) + Part(Number(1) / 12) * beta);
+    const Part fifth = Part(7) * a2 * (third - b) + Part(3) * b * b +
+                       beta * (Part(Number(1) / 20) * b - Part(Number(1) / 2) * a2);
+    const Part e2 = e * e;
+    return e + e2 * ((third * e - a) + e2 * (fourth + fifth * e));
 }
 
 /// Returns the place at s, where `time` is sought.
@@ -199,16 +209,16 @@ template <class Number, class Part>
     const Part e = at.time_left * inverse;
     const Part a = Part(Number(1) / 2) * at.r_rate * inverse;
     const Part b = Part(Number(1) / 6) * at.r_bend * inverse;
-    at.rest = inverse_series<Number>(e, a, b, Part(Number(-1) / 12) * orbit.beta * a);
-    at.size = (e * e) * (a * a + abs(b));
+    at.rest = inverse_series<Number>(e, a, b, orbit.beta);
+    at.square = (e * e) * (a * a + abs(b));
     return at;
 }
 
-/// Returns where the rest is so small that its powers from the fourth on are round-off.
+/// Returns where the rest is so small that the orders from the sixth on are round-off.
 template <class Number, class Part>
 [[nodiscard, gnu::always_inline]] inline auto is_near(const Place<Part>& at) {
-    constexpr Number small = power_of_two<Number>(-bits<Number> / 3 - 2);
-    return abs(at.rest) <= Part(small) * abs(at.s) && at.size <= Part(small);
+    constexpr Number small = power_of_two<Number>(-bits<Number> / 5 - 1);
+    return abs(at.rest) <= Part(small) * abs(at.s) && at.square <= Part(small * small);
 }
 
 /// The four changes of one orbit, or of several.
@@ -219,15 +229,18 @@ struct PartOfChanges {
 
 /// Returns the changes from the beginning of an orbit to the place of the time.
 ///
-/// NOTE: the rest moves G_k and r, not s, which would be rounded.
+/// NOTE: the rest moves G_k and r by the functions g_k of the rest, not s, which would be rounded.
 template <class Number, class Part>
 [[nodiscard, gnu::always_inline]] inline PartOfChanges<Part>
 changes_to(const UnitOrbit<Part>& orbit, const Place<Part>& at) {
-    const Part d = at.rest, half = Part(Number(1) / 2) * d;
-    const Part G1 = at.G1 + d * (at.G0 - half * (orbit.beta * at.G1));
-    const Part G2 = at.G2 + d * (at.G1 + half * at.G0);
-    const Part G3 = at.G3 + d * (at.G2 + half * at.G1);
-    const Part r = at.r + d * (at.r_rate + half * at.r_bend);
+    const Part d = at.rest, d2 = d * d, x = orbit.beta * d2;
+    const Part g1 = d - d * (x * Part(Number(1) / 6));
+    const Part g2 = d2 * (Part(Number(1) / 2) - x * Part(Number(1) / 24));
+    const Part g3 = d * d2 * Part(Number(1) / 6);
+    const Part G1 = at.G1 + (at.G0 * g1 - orbit.beta * at.G1 * g2);
+    const Part G2 = at.G2 + (at.G1 * g1 + at.G0 * g2);
+    const Part G3 = at.G3 + (at.G2 * d + (at.G1 * g2 + at.G0 * g3));
+    const Part r = at.r + (at.r_rate * g1 + at.r_bend * g2);
     const Part fall = orbit.mu * G2;
     return {-fall, -(orbit.time * (orbit.mu * G3)), -(orbit.mu_rate * G1) / r, -(fall / r)};
 }
@@ -333,8 +346,7 @@ usual_changes(const UnitOrbit<Part>& orbit, Mask& is_found) {
     constexpr int most = 6;
     const Part one(1), far(8);
     const Part a = Part(Number(1) / 2) * orbit.eta;
-    Part s = inverse_series<Number>(one, a, Part(Number(1) / 6) * orbit.zeta,
-                                    Part(Number(-1) / 12) * orbit.beta * a);
+    Part s = inverse_series<Number>(one, a, Part(Number(1) / 6) * orbit.zeta, orbit.beta);
     Mask is_usual = abs(orbit.beta * s * s) <= far;
     for (int k = 1;; ++k) {
         s = select(is_usual, s, Part(0));
