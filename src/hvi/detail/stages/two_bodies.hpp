@@ -91,12 +91,10 @@ template <class Number, std::size_t k>
 template <class Number, std::size_t k>
 inline constexpr auto stumpff_coefficients = stumpff_series<Number, k>();
 
-/// What rounding cuts off from 1/6. NOTE: four and two times a number are exact, and so are these
+/// What rounding cuts off from 1/3!. NOTE: products with powers of two are exact, and so are these
 /// differences.
 template <class Number>
-inline constexpr Number sixth = Number(1) / 6;
-template <class Number>
-inline constexpr Number rest_of_sixth = ((1 - 4 * sixth<Number>)-2 * sixth<Number>) / 6;
+inline constexpr Number rest_of_sixth = ((1 - 8 * (Number(1) / 6)) + 2 * (Number(1) / 6)) / 6;
 
 /// Returns the series of c_k from the term of x^from on, divided by x^from, every `by`th term.
 template <class Number, std::size_t k, std::size_t from, std::size_t by, class Part>
@@ -128,7 +126,8 @@ template <class Number, class Part>
         stumpff_tail<Number, 3, 2, 2>(square) + x * stumpff_tail<Number, 3, 3, 2>(square);
     const Part next2 = (x * tail2 - Part(lost / 4)) + Part(stumpff_coefficients<Number, 2>[1]);
     const Part next3 = x * tail3 + Part(stumpff_coefficients<Number, 3>[1]);
-    return {x * next2 + Part(Number(1) / 2), (x * next3 + Part(lost)) + Part(sixth<Number>)};
+    return {x * next2 + Part(stumpff_coefficients<Number, 2>[0]),
+            (x * next3 + Part(lost)) + Part(stumpff_coefficients<Number, 3>[0])};
 }
 
 /// Limit on how often arguments are quartered. Beyond it G_k overflow.
