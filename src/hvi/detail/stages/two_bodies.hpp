@@ -6,6 +6,7 @@
 #define HVI_TWO_BODIES_HPP
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <type_traits>
 #include <utility>
@@ -33,33 +34,44 @@ struct OrbitChanges {
     std::array<Number, n> f_less_1, g_less_time, f_rate, g_rate_less_1;
 };
 
-/// An orbit in units in which the first distance is 1, and the time of the flow is 1. mu, eta, beta
-/// and zeta are in these units; mu_rate is mu in units of that distance alone, times the time.
+/// Unit of time: the power of 2 that a time is at most, with the sign of the time.
+template <class Number>
+struct TimeUnit {
+    Number unit, time;  ///< the unit, and the time in this unit: from 1/2 to 1
+
+    explicit TimeUnit(Number of) {
+        // NOTE: where long double is narrower, it has the exponents all the same.
+        using Standard = std::conditional_t<is_standard<Number>, Number, long double>;
+        int exponent = 0;
+        const Standard rounded = static_cast<Standard>(of);
+        const Standard mantissa = std::frexp(rounded, &exponent);
+        unit = mantissa == 0 ? Number(1) : static_cast<Number>(rounded / std::abs(mantissa));
+        time = of / unit;
+    }
+};
+
+/// mu, eta, beta and zeta of an orbit whose first distance is the unit of length.
 template <class Part>
 struct UnitOrbit {
     Part mu, eta, beta, zeta;
-    Part mu_rate, time;
 };
 
-/// Returns the orbit of q.q, q.v, v.v and mu. Where mu is 0 it is one that stays.
+/// Returns the orbit of r2 = q.q, rv = q.v, v2 = v.v and mu. Where mu is 0 it is one that stays.
+///
+/// NOTE: the energy would drift where beta + zeta is not mu to the last bit.
 template <class Part>
 [[nodiscard, gnu::always_inline]] inline UnitOrbit<Part>
-unit_orbit(const Part& r2, const Part& rv, const Part& v2, const Part& mu, const Part& time) {
+unit_orbit(const Part& r2, const Part& rv, const Part& v2, const Part& mu, const Part& unit) {
     using math::sqrt;
-    const Part inverse = Part(1) / sqrt(r2);
-    const Part tempo = time * inverse;
     const auto is_free = mu == Part(0);
+    const Part inverse = Part(1) / sqrt(r2);
+    const Part tempo = unit * inverse;
     // NOTE: 0 times a number that is not finite is NaN.
-    const Part force = select(is_free, (mu * time) * r2, mu * inverse * tempo);
-    const Part unit_mu = force * select(is_free, Part(1), tempo);
+    const Part unit_mu = select(is_free, mu * r2, mu * inverse * tempo * tempo);
     const Part eta = select(is_free, mu * rv, rv * inverse * tempo);
     const Part speed2 = select(is_free, mu * v2, v2 * tempo * tempo);
-    return {unit_mu,
-            eta,
-            unit_mu + (unit_mu - speed2),
-            speed2 - unit_mu,
-            force * select(is_free, Part(1), inverse),
-            time};
+    const Part beta = unit_mu + (unit_mu - speed2);
+    return {unit_mu, eta, beta, unit_mu - beta};
 }
 
 // ---- Stumpff's functions ----
@@ -106,10 +118,30 @@ template <class Number, std::size_t k, std::size_t from, std::size_t by, class P
     return sum;
 }
 
-/// c_2 and c_3 of one argument.
+/// A number as a sum that is not rounded yet.
+template <class Part>
+struct Split {
+    Part large, small;
+
+    [[nodiscard]] Part sum() const { return large + small; }
+
+    /// Returns the sum with one that is smaller still.
+    [[nodiscard]] Part with(const Part& x) const { return large + (small + x); }
+};
+
+/// c_2 and c_3 of one argument, less 1/2 and less 1/6 as rounded.
 template <class Part>
 struct Stumpff {
-    Part c2, c3;
+    Part c2_less, c3_less;
+
+    template <class Number>
+    [[nodiscard]] Part c2() const {
+        return c2_less + Part(stumpff_coefficients<Number, 2>[0]);
+    }
+    template <class Number>
+    [[nodiscard]] Part c3() const {
+        return c3_less + Part(stumpff_coefficients<Number, 3>[0]);
+    }
 };
 
 /// Returns c_2(x) and c_3(x) for |x| <= 1.
@@ -126,8 +158,7 @@ template <class Number, class Part>
         stumpff_tail<Number, 3, 2, 2>(square) + x * stumpff_tail<Number, 3, 3, 2>(square);
     const Part next2 = (x * tail2 - Part(lost / 4)) + Part(stumpff_coefficients<Number, 2>[1]);
     const Part next3 = x * tail3 + Part(stumpff_coefficients<Number, 3>[1]);
-    return {x * next2 + Part(stumpff_coefficients<Number, 2>[0]),
-            (x * next3 + Part(lost)) + Part(stumpff_coefficients<Number, 3>[0])};
+    return {x * next2, x * next3 + Part(lost)};
 }
 
 /// Limit on how often arguments are quartered. Beyond it G_k overflow.
@@ -145,15 +176,18 @@ template <class Number, class Part>
         is_quartered[count] = one < abs(y);
         y = select(is_quartered[count], quarter * y, y);
     }
-    Stumpff<Part> c = stumpff_near_0<Number>(y);
+    const Stumpff<Part> near = stumpff_near_0<Number>(y);
+    Part c2 = near.template c2<Number>(), c3 = near.template c3<Number>();
     while (count > 0) {
         const Mask& mask = is_quartered[--count];
-        const Part c0 = one - y * c.c2, c1 = one - y * c.c3;
-        c = {select(mask, half * (c1 * c1), c.c2),
-             select(mask, quarter * (c.c2 + c0 * c.c3), c.c3)};
+        const Part c0 = one - y * c2, c1 = one - y * c3;
+        c3 = select(mask, quarter * (c2 + c0 * c3), c3);
+        c2 = select(mask, half * (c1 * c1), c2);
         y = select(mask, Part(4) * y, y);
     }
-    return c;
+    const Mask is_small = abs(x) <= one;
+    return {select(is_small, near.c2_less, c2 - half),
+            select(is_small, near.c3_less, c3 - Part(stumpff_coefficients<Number, 3>[0]))};
 }
 
 /// Returns c_2(x) and c_3(x).
@@ -167,8 +201,10 @@ template <class Number, class Part>
 /// A place s on an orbit, what holds there, and how far away the place of a time is.
 template <class Part>
 struct Place {
-    Part s, G0, G1, G2, G3;
-    Part r, r_rate, r_bend;  ///< distance, and its derivatives by s
+    Part s, G0;
+    Split<Part> G1, G2, G3;
+    Split<Part> r;
+    Part r_rate, r_bend;  ///< derivatives of r by s
     Part time_left;
     Part rest;    ///< the place of the time is s + rest, to order 6 in what is left
     Part square;  ///< of what the order is in
@@ -191,22 +227,24 @@ template <class Number, class Part>
 template <class Number, class Part>
 [[nodiscard, gnu::always_inline]] inline Place<Part> place_at(const UnitOrbit<Part>& orbit,
                                                               const Part& s, const Part& time) {
-    Place<Part> at;
-    const Part square = s * s;
+    const Part half(Number(1) / 2), sixth(stumpff_coefficients<Number, 3>[0]);
+    const Part square = s * s, cube = s * square;
     const Part x = orbit.beta * square;
     const Stumpff<Part> c = stumpff<Number>(x);
+    Place<Part> at;
     at.s = s;
-    at.G0 = Part(1) - x * c.c2;
-    at.G1 = s - s * (x * c.c3);
-    at.G2 = square * c.c2;
-    at.G3 = s * square * c.c3;
-    at.r = Part(1) + (orbit.eta * at.G1 + orbit.zeta * at.G2);
-    at.r_rate = orbit.eta * at.G0 + orbit.zeta * at.G1;
-    at.r_bend = orbit.zeta * at.G0 - orbit.beta * orbit.eta * at.G1;
-    at.time_left = (time - s) - (orbit.eta * at.G2 + orbit.zeta * at.G3);
-    const Part inverse = Part(1) / at.r;
+    at.G0 = Part(1) - x * c.template c2<Number>();
+    at.G1 = {s, -(s * (x * c.template c3<Number>()))};
+    at.G2 = {half * square, square * c.c2_less};
+    at.G3 = {cube * sixth, cube * c.c3_less};
+    const Part G1 = at.G1.sum(), G2 = at.G2.sum();
+    at.r = {Part(1), orbit.eta * G1 + orbit.zeta * G2};
+    at.r_rate = orbit.eta * at.G0 + orbit.zeta * G1;
+    at.r_bend = orbit.zeta * at.G0 - orbit.beta * orbit.eta * G1;
+    at.time_left = (time - s) - (orbit.eta * G2 + orbit.zeta * at.G3.sum());
+    const Part inverse = Part(1) / at.r.sum();
     const Part e = at.time_left * inverse;
-    const Part a = Part(Number(1) / 2) * at.r_rate * inverse;
+    const Part a = half * at.r_rate * inverse;
     const Part b = Part(Number(1) / 6) * at.r_bend * inverse;
     at.rest = inverse_series<Number>(e, a, b, orbit.beta);
     at.square = (e * e) * (a * a + abs(b));
@@ -231,17 +269,18 @@ struct PartOfChanges {
 /// NOTE: the rest moves G_k and r by the functions g_k of the rest, not s, which would be rounded.
 template <class Number, class Part>
 [[nodiscard, gnu::always_inline]] inline PartOfChanges<Part>
-changes_to(const UnitOrbit<Part>& orbit, const Place<Part>& at) {
+changes_to(const UnitOrbit<Part>& orbit, const Place<Part>& at, const Part& unit) {
     const Part d = at.rest, d2 = d * d, x = orbit.beta * d2;
     const Part g1 = d - d * (x * Part(Number(1) / 6));
     const Part g2 = d2 * (Part(Number(1) / 2) - x * Part(Number(1) / 24));
     const Part g3 = d * d2 * Part(Number(1) / 6);
-    const Part G1 = at.G1 + (at.G0 * g1 - orbit.beta * at.G1 * g2);
-    const Part G2 = at.G2 + (at.G1 * g1 + at.G0 * g2);
-    const Part G3 = at.G3 + (at.G2 * d + (at.G1 * g2 + at.G0 * g3));
-    const Part r = at.r + (at.r_rate * g1 + at.r_bend * g2);
+    const Part old1 = at.G1.sum(), old2 = at.G2.sum();
+    const Part G1 = at.G1.with(at.G0 * g1 - orbit.beta * old1 * g2);
+    const Part G2 = at.G2.with(old1 * g1 + at.G0 * g2);
+    const Part G3 = at.G3.with(old2 * d + (old1 * g2 + at.G0 * g3));
+    const Part r = at.r.with(at.r_rate * g1 + at.r_bend * g2);
     const Part fall = orbit.mu * G2;
-    return {-fall, -(orbit.time * (orbit.mu * G3)), -(orbit.mu_rate * G1) / r, -(fall / r)};
+    return {-fall, -(orbit.mu * G3 * unit), -(orbit.mu * G1 / r / unit), -(fall / r)};
 }
 
 // ---- any orbit, one by one ----
@@ -250,8 +289,6 @@ changes_to(const UnitOrbit<Part>& orbit, const Place<Part>& at) {
 template <class Number>
 [[nodiscard]] UnitOrbit<Number> backwards(UnitOrbit<Number> orbit) {
     orbit.eta = -orbit.eta;
-    orbit.mu_rate = -orbit.mu_rate;
-    orbit.time = -orbit.time;
     return orbit;
 }
 
@@ -262,24 +299,24 @@ template <class Number>
     return x < whole ? (x + whole) - whole : x;
 }
 
-/// Returns the time that whole periods take, the nearest to 1; 0 where there is no period.
+/// Returns the time that whole periods take, the nearest to a time; 0 where there is no period.
 template <class Number>
-[[nodiscard]] Number time_of_periods(const UnitOrbit<Number>& orbit) {
+[[nodiscard]] Number time_of_periods(const UnitOrbit<Number>& orbit, Number time) {
     if (!(orbit.beta > 0)) { return 0; }
     // NOTE: 2 pi in doubles, of which wider numbers take three.
     constexpr Number two_pi =
         static_cast<Number>(6.283185307179586) +
         (static_cast<Number>(2.4492935982947064e-16) + static_cast<Number>(-5.989539619436679e-33));
     const Number period = two_pi * orbit.mu / (orbit.beta * math::sqrt(orbit.beta));
-    return is_finite(period) ? nearest_integer(1 / period) * period : Number(0);
+    return is_finite(period) ? nearest_integer(time / period) * period : Number(0);
 }
 
 /// Returns the step from a place by the method of Laguerre and Conway, which finds the solution
 /// from nearly everywhere.
 template <class Number>
 [[nodiscard]] Number laguerre_step(const Place<Number>& at) {
-    const Number root = 16 * at.r * at.r + 20 * at.time_left * at.r_rate;
-    return 5 * at.time_left / (at.r + math::sqrt(abs(root)));
+    const Number r = at.r.sum();
+    return 5 * at.time_left / (r + math::sqrt(abs(16 * r * r + 20 * at.time_left * at.r_rate)));
 }
 
 /// Returns the place of a time >= 0. Time grows with s, so that halving an interval gets there
@@ -318,40 +355,55 @@ template <class Number>
 /// Returns the changes of any orbit, after whole periods have been left out; NaN where numbers are
 /// not finite.
 template <class Number>
-[[nodiscard, gnu::noinline]] PartOfChanges<Number> changes_one_by_one(UnitOrbit<Number> orbit) {
-    const Number sum = orbit.mu + orbit.eta + orbit.beta + orbit.zeta + orbit.mu_rate + orbit.time;
+[[nodiscard, gnu::noinline]] PartOfChanges<Number>
+changes_one_by_one(UnitOrbit<Number> orbit, const TimeUnit<Number>& scale) {
+    const Number sum = orbit.mu + orbit.eta + orbit.beta + orbit.zeta + scale.time + scale.unit;
     if (!is_finite(sum)) {
         const Number nan = sum - sum;
         return {nan, nan, nan, nan};
     }
-    const Number left_out = time_of_periods(orbit);
-    const Number g_of_periods = orbit.time * left_out;
-    const bool goes_back = left_out > 1;
-    if (goes_back) { orbit = backwards(orbit); }
-    const Number time = abs(1 - left_out);
-    PartOfChanges<Number> changes = changes_to<Number>(orbit, place_between(orbit, time));
-    changes.g_less_time -= g_of_periods;
+    const Number left_out = time_of_periods(orbit, scale.time);
+    Number time = scale.time - left_out, unit = scale.unit;
+    if (time < 0) {
+        orbit = backwards(orbit);
+        time = -time;
+        unit = -unit;
+    }
+    PartOfChanges<Number> changes = changes_to<Number>(orbit, place_between(orbit, time), unit);
+    changes.g_less_time -= left_out * scale.unit;
     return changes;
 }
 
 // ---- usual orbits, side by side ----
 
+/// Returns x with a third of its digits, so that its cube is exact.
+template <class Number, class Part>
+[[nodiscard, gnu::always_inline]] inline Part with_few_digits(const Part& x) {
+    constexpr Number factor = 1 / power_of_two<Number>(bits<Number> / 3 - bits<Number>) + 1;
+    const Part scaled = Part(factor) * x;
+    return scaled - (scaled - x);
+}
+
 /// Returns the changes of orbits, and sets `is_found` to where they are.
 ///
-/// NOTE: what is found stays, whatever the others need.
+/// NOTE: what is found stays, whatever the others need. Places have few digits, so that the rests
+/// are of any sign and far above round-off: sums would cut off smaller ones, which are errors of
+/// the series and have one sign, and the energy would drift (e = 0.5, P/20: by 1e-18 of it a step).
 template <class Number, class Part, class Mask>
 [[nodiscard, gnu::always_inline]] inline PartOfChanges<Part>
-usual_changes(const UnitOrbit<Part>& orbit, Mask& is_found) {
+usual_changes(const UnitOrbit<Part>& orbit, const TimeUnit<Number>& scale, Mask& is_found) {
     constexpr int most = 6;
-    const Part one(1), far(8);
-    const Part a = Part(Number(1) / 2) * orbit.eta;
-    Part s = inverse_series<Number>(one, a, Part(Number(1) / 6) * orbit.zeta, orbit.beta);
+    const Part time(scale.time), far(8);
+    Part s = inverse_series<Number>(time, Part(Number(1) / 2) * orbit.eta,
+                                    Part(Number(1) / 6) * orbit.zeta, orbit.beta);
     Mask is_usual = abs(orbit.beta * s * s) <= far;
     for (int k = 1;; ++k) {
-        s = select(is_usual, s, Part(0));
-        const Place<Part> at = place_at<Number>(orbit, s, one);
+        s = with_few_digits<Number>(select(is_usual, s, Part(0)));
+        const Place<Part> at = place_at<Number>(orbit, s, time);
         is_found = is_usual && is_near<Number>(at);
-        if (k == most || all(is_found || !is_usual)) { return changes_to<Number>(orbit, at); }
+        if (k == most || all(is_found || !is_usual)) {
+            return changes_to<Number>(orbit, at, Part(scale.unit));
+        }
         s = select(is_found, s, s + at.rest);
         is_usual = is_usual && abs(orbit.beta * s * s) <= far;
     }
@@ -433,19 +485,19 @@ orbit_changes(const std::array<Number, n>& r2, const std::array<Number, n>& rv,
     constexpr std::size_t width = orbits_at_once<Number>(n);
     using Part = typename Register<Number, width>::Type;
     constexpr auto places = std::make_index_sequence<width>();
+    const TimeUnit<Number> scale(time);
     OrbitChanges<Number, n> changes;
     for (std::size_t first = 0; first < n; first += width) {
         const UnitOrbit<Part> orbit = unit_orbit<Part>(
             part_of<width>(r2, first, places), part_of<width>(rv, first, places),
-            part_of<width>(v2, first, places), part_of<width>(mu, first, places), Part(time));
+            part_of<width>(v2, first, places), part_of<width>(mu, first, places), Part(scale.unit));
         typename MaskOf<Part>::type is_found;
-        set_changes<width>(changes, first, usual_changes<Number>(orbit, is_found));
+        set_changes<width>(changes, first, usual_changes<Number>(orbit, scale, is_found));
         if (all(is_found)) { continue; }
         for (std::size_t k = first; k < n && k < first + width; ++k) {
             if (is_set(is_found, k - first)) { continue; }
-            set_changes<1>(
-                changes, k,
-                changes_one_by_one(unit_orbit<Number>(r2[k], rv[k], v2[k], mu[k], time)));
+            const auto alone = unit_orbit<Number>(r2[k], rv[k], v2[k], mu[k], scale.unit);
+            set_changes<1>(changes, k, changes_one_by_one(alone, scale));
         }
     }
     return changes;
