@@ -118,30 +118,10 @@ template <class Number, std::size_t k, std::size_t from, std::size_t by, class P
     return sum;
 }
 
-/// A number as a sum that is not rounded yet.
-template <class Part>
-struct Split {
-    Part large, small;
-
-    [[nodiscard]] Part sum() const { return large + small; }
-
-    /// Returns the sum with one that is smaller still.
-    [[nodiscard]] Part with(const Part& x) const { return large + (small + x); }
-};
-
 /// c_2 and c_3 of one argument, less 1/2 and less 1/6 as rounded.
 template <class Part>
 struct Stumpff {
     Part c2_less, c3_less;
-
-    template <class Number>
-    [[nodiscard]] Part c2() const {
-        return c2_less + Part(stumpff_coefficients<Number, 2>[0]);
-    }
-    template <class Number>
-    [[nodiscard]] Part c3() const {
-        return c3_less + Part(stumpff_coefficients<Number, 3>[0]);
-    }
 };
 
 /// Returns c_2(x) and c_3(x) for |x| <= 1.
@@ -176,8 +156,9 @@ template <class Number, class Part>
         is_quartered[count] = one < abs(y);
         y = select(is_quartered[count], quarter * y, y);
     }
+    const Part sixth(stumpff_coefficients<Number, 3>[0]);
     const Stumpff<Part> near = stumpff_near_0<Number>(y);
-    Part c2 = near.template c2<Number>(), c3 = near.template c3<Number>();
+    Part c2 = half + near.c2_less, c3 = sixth + near.c3_less;
     while (count > 0) {
         const Mask& mask = is_quartered[--count];
         const Part c0 = one - y * c2, c1 = one - y * c3;
@@ -185,9 +166,8 @@ template <class Number, class Part>
         c2 = select(mask, half * (c1 * c1), c2);
         y = select(mask, Part(4) * y, y);
     }
-    const Mask is_small = abs(x) <= one;
-    return {select(is_small, near.c2_less, c2 - half),
-            select(is_small, near.c3_less, c3 - Part(stumpff_coefficients<Number, 3>[0]))};
+    const Mask is_near = abs(x) <= one;
+    return {select(is_near, near.c2_less, c2 - half), select(is_near, near.c3_less, c3 - sixth)};
 }
 
 /// Returns c_2(x) and c_3(x).
@@ -198,16 +178,17 @@ template <class Number, class Part>
 
 // ---- Kepler's equation ----
 
-/// A place s on an orbit, what holds there, and how far away the place of a time is.
+/// A place s on an orbit, what holds there, and how far away the place of a time is. G_k are
+/// followed by the parts of G_k that their first terms s, s^2/2 and s^3/6 leave.
 template <class Part>
 struct Place {
-    Part s, G0;
-    Split<Part> G1, G2, G3;
-    Split<Part> r;
-    Part r_rate, r_bend;  ///< derivatives of r by s
+    Part s, square, cube;
+    Part G0, G1, G2, G1_less, G2_less, G3_less;
+    Part r, r_less_1, inverse;  ///< distance, and 1/r
+    Part r_rate, r_bend;        ///< derivatives of r by s
     Part time_left;
-    Part rest;    ///< the place of the time is s + rest, to order 6 in what is left
-    Part square;  ///< of what the order is in
+    Part rest;   ///< the place of the time is s + rest, to order 6 in what is left
+    Part order;  ///< square of what the order is in
 };
 
 /// Returns d for e = d + a d^2 + b d^3 - beta (a d^4/12 + b d^5/20), to order e^5.
@@ -228,26 +209,30 @@ template <class Number, class Part>
 [[nodiscard, gnu::always_inline]] inline Place<Part> place_at(const UnitOrbit<Part>& orbit,
                                                               const Part& s, const Part& time) {
     const Part half(Number(1) / 2), sixth(stumpff_coefficients<Number, 3>[0]);
-    const Part square = s * s, cube = s * square;
-    const Part x = orbit.beta * square;
-    const Stumpff<Part> c = stumpff<Number>(x);
     Place<Part> at;
     at.s = s;
-    at.G0 = Part(1) - x * c.template c2<Number>();
-    at.G1 = {s, -(s * (x * c.template c3<Number>()))};
-    at.G2 = {half * square, square * c.c2_less};
-    at.G3 = {cube * sixth, cube * c.c3_less};
-    const Part G1 = at.G1.sum(), G2 = at.G2.sum();
-    at.r = {Part(1), orbit.eta * G1 + orbit.zeta * G2};
-    at.r_rate = orbit.eta * at.G0 + orbit.zeta * G1;
-    at.r_bend = orbit.zeta * at.G0 - orbit.beta * orbit.eta * G1;
-    at.time_left = (time - s) - (orbit.eta * G2 + orbit.zeta * at.G3.sum());
-    const Part inverse = Part(1) / at.r.sum();
-    const Part e = at.time_left * inverse;
-    const Part a = half * at.r_rate * inverse;
-    const Part b = Part(Number(1) / 6) * at.r_bend * inverse;
+    at.square = s * s;
+    at.cube = s * at.square;
+    const Part x = orbit.beta * at.square;
+    const Stumpff<Part> c = stumpff<Number>(x);
+    at.G0 = Part(1) - x * (half + c.c2_less);
+    at.G1_less = -(s * (x * (sixth + c.c3_less)));
+    at.G2_less = at.square * c.c2_less;
+    at.G3_less = at.cube * c.c3_less;
+    at.G1 = s + at.G1_less;
+    at.G2 = half * at.square + at.G2_less;
+    const Part G3 = sixth * at.cube + at.G3_less;
+    at.r_less_1 = orbit.eta * at.G1 + orbit.zeta * at.G2;
+    at.r = Part(1) + at.r_less_1;
+    at.inverse = Part(1) / at.r;
+    at.r_rate = orbit.eta * at.G0 + orbit.zeta * at.G1;
+    at.r_bend = orbit.zeta * at.G0 - orbit.beta * orbit.eta * at.G1;
+    at.time_left = (time - s) - (orbit.eta * at.G2 + orbit.zeta * G3);
+    const Part e = at.time_left * at.inverse;
+    const Part a = half * at.r_rate * at.inverse;
+    const Part b = Part(Number(1) / 6) * at.r_bend * at.inverse;
     at.rest = inverse_series<Number>(e, a, b, orbit.beta);
-    at.square = (e * e) * (a * a + abs(b));
+    at.order = (e * e) * (a * a + abs(b));
     return at;
 }
 
@@ -255,7 +240,7 @@ template <class Number, class Part>
 template <class Number, class Part>
 [[nodiscard, gnu::always_inline]] inline auto is_near(const Place<Part>& at) {
     constexpr Number small = power_of_two<Number>(-bits<Number> / 5 - 1);
-    return abs(at.rest) <= Part(small) * abs(at.s) && at.square <= Part(small * small);
+    return abs(at.rest) <= Part(small) * abs(at.s) && at.order <= Part(small * small);
 }
 
 /// The four changes of one orbit, or of several.
@@ -267,20 +252,28 @@ struct PartOfChanges {
 /// Returns the changes from the beginning of an orbit to the place of the time.
 ///
 /// NOTE: the rest moves G_k and r by the functions g_k of the rest, not s, which would be rounded.
+/// On a circle G_k and r are the same in each step, and so would be the errors of rounding them:
+/// they are rounded with mu only, and what rounding cuts off from r is taken from the numerator.
 template <class Number, class Part>
 [[nodiscard, gnu::always_inline]] inline PartOfChanges<Part>
 changes_to(const UnitOrbit<Part>& orbit, const Place<Part>& at, const Part& unit) {
+    const Part half(Number(1) / 2), sixth(stumpff_coefficients<Number, 3>[0]);
     const Part d = at.rest, d2 = d * d, x = orbit.beta * d2;
-    const Part g1 = d - d * (x * Part(Number(1) / 6));
-    const Part g2 = d2 * (Part(Number(1) / 2) - x * Part(Number(1) / 24));
-    const Part g3 = d * d2 * Part(Number(1) / 6);
-    const Part old1 = at.G1.sum(), old2 = at.G2.sum();
-    const Part G1 = at.G1.with(at.G0 * g1 - orbit.beta * old1 * g2);
-    const Part G2 = at.G2.with(old1 * g1 + at.G0 * g2);
-    const Part G3 = at.G3.with(old2 * d + (old1 * g2 + at.G0 * g3));
-    const Part r = at.r.with(at.r_rate * g1 + at.r_bend * g2);
-    const Part fall = orbit.mu * G2;
-    return {-fall, -(orbit.mu * G3 * unit), -(orbit.mu * G1 / r / unit), -(fall / r)};
+    const Part g1 = d - d * (x * sixth);
+    const Part g2 = d2 * (half - x * Part(Number(1) / 24));
+    const Part g3 = d * d2 * sixth;
+    const Part more1 = at.G1_less + (at.G0 * g1 - orbit.beta * at.G1 * g2);
+    const Part more2 = at.G2_less + (at.G1 * g1 + at.G0 * g2);
+    const Part more3 = at.G3_less + (at.G2 * d + (at.G1 * g2 + at.G0 * g3));
+    const Part r_less_1 = at.r_less_1 + (at.r_rate * g1 + at.r_bend * g2);
+    const Part r = Part(1) + r_less_1;
+    const Part lost = ((Part(1) - r) + r_less_1) * at.inverse;
+    const Part first1 = orbit.mu * at.s, first2 = orbit.mu * (half * at.square);
+    const Part second1 = orbit.mu * more1, second2 = orbit.mu * more2;
+    const Part f_rate = (first1 + (second1 - first1 * lost)) / r;
+    const Part g_rate = (first2 + (second2 - first2 * lost)) / r;
+    const Part g = orbit.mu * at.cube * sixth + orbit.mu * more3;
+    return {-(first2 + second2), -(g * unit), -(f_rate / unit), -g_rate};
 }
 
 // ---- any orbit, one by one ----
@@ -315,8 +308,8 @@ template <class Number>
 /// from nearly everywhere.
 template <class Number>
 [[nodiscard]] Number laguerre_step(const Place<Number>& at) {
-    const Number r = at.r.sum();
-    return 5 * at.time_left / (r + math::sqrt(abs(16 * r * r + 20 * at.time_left * at.r_rate)));
+    return 5 * at.time_left /
+           (at.r + math::sqrt(abs(16 * at.r * at.r + 20 * at.time_left * at.r_rate)));
 }
 
 /// Returns the place of a time >= 0. Time grows with s, so that halving an interval gets there
