@@ -126,6 +126,17 @@ private:
             return __builtin_ia32_ptestz256(Words(bits), Words(bits)) == 0;
         }
 #endif
+#if defined(__AVX512F__) && defined(__has_builtin)
+#if __has_builtin(__builtin_shufflevector)
+        if constexpr (sizeof(Bits) == 64) {
+            typedef long long Words __attribute__((vector_size(64)));
+            const Words all = Words(bits);
+            const auto both = __builtin_shufflevector(all, all, 0, 1, 2, 3) |
+                              __builtin_shufflevector(all, all, 4, 5, 6, 7);
+            return __builtin_ia32_ptestz256(both, both) == 0;
+        }
+#endif
+#endif
         BitsOf<Number> joined = bits[0];
         for (std::size_t i = 1; i < width; ++i) { joined |= bits[i]; }
         return joined != 0;

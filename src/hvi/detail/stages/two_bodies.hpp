@@ -6,6 +6,7 @@
 #define HVI_TWO_BODIES_HPP
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <type_traits>
 #include <utility>
@@ -33,33 +34,44 @@ struct OrbitChanges {
     std::array<Number, n> f_less_1, g_less_time, f_rate, g_rate_less_1;
 };
 
-/// An orbit in units in which the first distance is 1, and the time of the flow is 1. mu, eta, beta
-/// and zeta are in these units; mu_rate is mu in units of that distance alone, times the time.
+/// Unit of time: the power of 2 that a time is at most, with the sign of the time.
+template <class Number>
+struct TimeUnit {
+    Number unit, time;  ///< the unit, and the time in this unit: from 1/2 to 1
+
+    explicit TimeUnit(Number of) {
+        // NOTE: where long double is narrower, it has the exponents all the same.
+        using Standard = std::conditional_t<is_standard<Number>, Number, long double>;
+        int exponent = 0;
+        const Standard rounded = static_cast<Standard>(of);
+        const Standard mantissa = std::frexp(rounded, &exponent);
+        unit = mantissa == 0 ? Number(1) : static_cast<Number>(rounded / std::abs(mantissa));
+        time = of / unit;
+    }
+};
+
+/// mu, eta, beta and zeta of an orbit whose first distance is the unit of length.
 template <class Part>
 struct UnitOrbit {
     Part mu, eta, beta, zeta;
-    Part mu_rate, time;
 };
 
-/// Returns the orbit of q.q, q.v, v.v and mu. Where mu is 0 it is one that stays.
+/// Returns the orbit of r2 = q.q, rv = q.v, v2 = v.v and mu. Where mu is 0 it is one that stays.
+///
+/// NOTE: the energy would drift where beta + zeta is not mu to the last bit.
 template <class Part>
 [[nodiscard, gnu::always_inline]] inline UnitOrbit<Part>
-unit_orbit(const Part& r2, const Part& rv, const Part& v2, const Part& mu, const Part& time) {
+unit_orbit(const Part& r2, const Part& rv, const Part& v2, const Part& mu, const Part& unit) {
     using math::sqrt;
-    const Part inverse = Part(1) / sqrt(r2);
-    const Part tempo = time * inverse;
     const auto is_free = mu == Part(0);
+    const Part inverse = Part(1) / sqrt(r2);
+    const Part tempo = unit * inverse;
     // NOTE: 0 times a number that is not finite is NaN.
-    const Part force = select(is_free, (mu * time) * r2, mu * inverse * tempo);
-    const Part unit_mu = force * select(is_free, Part(1), tempo);
+    const Part unit_mu = select(is_free, mu * r2, mu * inverse * tempo * tempo);
     const Part eta = select(is_free, mu * rv, rv * inverse * tempo);
     const Part speed2 = select(is_free, mu * v2, v2 * tempo * tempo);
-    return {unit_mu,
-            eta,
-            unit_mu + (unit_mu - speed2),
-            speed2 - unit_mu,
-            force * select(is_free, Part(1), inverse),
-            time};
+    const Part beta = unit_mu + (unit_mu - speed2);
+    return {unit_mu, eta, beta, unit_mu - beta};
 }
 
 // ---- Stumpff's functions ----
@@ -91,12 +103,10 @@ template <class Number, std::size_t k>
 template <class Number, std::size_t k>
 inline constexpr auto stumpff_coefficients = stumpff_series<Number, k>();
 
-/// What rounding cuts off from 1/6. NOTE: four and two times a number are exact, and so are these
+/// What rounding cuts off from 1/3!. NOTE: products with powers of two are exact, and so are these
 /// differences.
 template <class Number>
-inline constexpr Number sixth = Number(1) / 6;
-template <class Number>
-inline constexpr Number rest_of_sixth = ((1 - 4 * sixth<Number>)-2 * sixth<Number>) / 6;
+inline constexpr Number rest_of_sixth = ((1 - 8 * (Number(1) / 6)) + 2 * (Number(1) / 6)) / 6;
 
 /// Returns the series of c_k from the term of x^from on, divided by x^from, every `by`th term.
 template <class Number, std::size_t k, std::size_t from, std::size_t by, class Part>
@@ -108,10 +118,10 @@ template <class Number, std::size_t k, std::size_t from, std::size_t by, class P
     return sum;
 }
 
-/// c_2 and c_3 of one argument.
+/// c_2 and c_3 of one argument, less 1/2 and less 1/6 as rounded.
 template <class Part>
 struct Stumpff {
-    Part c2, c3;
+    Part c2_less, c3_less;
 };
 
 /// Returns c_2(x) and c_3(x) for |x| <= 1.
@@ -128,87 +138,109 @@ template <class Number, class Part>
         stumpff_tail<Number, 3, 2, 2>(square) + x * stumpff_tail<Number, 3, 3, 2>(square);
     const Part next2 = (x * tail2 - Part(lost / 4)) + Part(stumpff_coefficients<Number, 2>[1]);
     const Part next3 = x * tail3 + Part(stumpff_coefficients<Number, 3>[1]);
-    return {x * next2 + Part(Number(1) / 2), (x * next3 + Part(lost)) + Part(sixth<Number>)};
+    return {x * next2, x * next3 + Part(lost)};
 }
 
 /// Limit on how often arguments are quartered. Beyond it G_k overflow.
 inline constexpr std::size_t most_quarterings = 16;
 
-/// Returns c_2(x) and c_3(x), through quarters of x where |x| > 1.
+/// Returns c_2(x) and c_3(x) through those of quarters of x, where |x| > 1.
 template <class Number, class Part>
-[[nodiscard, gnu::always_inline]] inline Stumpff<Part> stumpff(const Part& x) {
-    using Mask = decltype(x < x);
+[[nodiscard, gnu::noinline]] Stumpff<Part> stumpff_of_quarters(const Part& x) {
+    using Mask = typename MaskOf<Part>::type;
+    const Part one(1), half(Number(1) / 2), quarter(Number(1) / 4);
     std::array<Mask, most_quarterings> is_quartered;
     std::size_t count = 0;
     Part y = x;
-    for (; count < most_quarterings; ++count) {
-        is_quartered[count] = Part(1) < abs(y);
-        if (!any(is_quartered[count])) { break; }
-        y = select(is_quartered[count], y * Part(Number(1) / 4), y);
+    for (; count < most_quarterings && any(one < abs(y)); ++count) {
+        is_quartered[count] = one < abs(y);
+        y = select(is_quartered[count], quarter * y, y);
     }
-    Stumpff<Part> c = stumpff_near_0<Number>(y);
-    while (count-- > 0) {
-        const Part c0 = Part(1) - y * c.c2, c1 = Part(1) - y * c.c3;
-        const Mask& mask = is_quartered[count];
-        c.c3 = select(mask, (c.c2 + c0 * c.c3) * Part(Number(1) / 4), c.c3);
-        c.c2 = select(mask, c1 * c1 * Part(Number(1) / 2), c.c2);
-        y = select(mask, y * Part(4), y);
+    const Part sixth(stumpff_coefficients<Number, 3>[0]);
+    const Stumpff<Part> near = stumpff_near_0<Number>(y);
+    Part c2 = half + near.c2_less, c3 = sixth + near.c3_less;
+    while (count > 0) {
+        const Mask& mask = is_quartered[--count];
+        const Part c0 = one - y * c2, c1 = one - y * c3;
+        c3 = select(mask, quarter * (c2 + c0 * c3), c3);
+        c2 = select(mask, half * (c1 * c1), c2);
+        y = select(mask, Part(4) * y, y);
     }
-    return c;
+    const Mask is_near = abs(x) <= one;
+    return {select(is_near, near.c2_less, c2 - half), select(is_near, near.c3_less, c3 - sixth)};
+}
+
+/// Returns c_2(x) and c_3(x).
+template <class Number, class Part>
+[[nodiscard, gnu::always_inline]] inline Stumpff<Part> stumpff(const Part& x) {
+    return any(Part(1) < abs(x)) ? stumpff_of_quarters<Number>(x) : stumpff_near_0<Number>(x);
 }
 
 // ---- Kepler's equation ----
 
-/// A place s on an orbit, what holds there, and how far away the place of a time is.
+/// A place s on an orbit, what holds there, and how far away the place of a time is. G_k are
+/// followed by the parts of G_k that their first terms s, s^2/2 and s^3/6 leave.
 template <class Part>
 struct Place {
-    Part s, G0, G1, G2, G3;
-    Part r, r_rate, r_bend;  ///< distance, and its derivatives by s
+    Part s, square, cube;
+    Part G0, G1, G2, G1_less, G2_less, G3_less;
+    Part r, r_less_1, inverse;  ///< distance, and 1/r
+    Part r_rate, r_bend;        ///< derivatives of r by s
     Part time_left;
-    Part rest;  ///< the place of the time is s + rest, to fifth order
-    Part size;  ///< of what the fifth order is small in
+    Part rest;   ///< the place of the time is s + rest, to order 6 in what is left
+    Part order;  ///< square of what the order is in
 };
 
-/// Returns d for e = d + a d^2 + b d^3 + c d^4, to order e^4.
+/// Returns d for e = d + a d^2 + b d^3 - beta (a d^4/12 + b d^5/20), to order e^5.
 template <class Number, class Part>
 [[nodiscard, gnu::always_inline]] inline Part inverse_series(const Part& e, const Part& a,
-                                                             const Part& b, const Part& c) {
-    const Part third = Part(2) * a * a - b;
-    const Part fourth = Part(5) * a * (a * a - b) + c;
-    return e - e * e * ((a - third * e) + fourth * (e * e));
+                                                             const Part& b, const Part& beta) {
+    const Part a2 = a * a;
+    const Part third = Part(2) * a2 - b;
+    const Part fourth = a * (Part(5) * (b - a2) + Part(Number(1) / 12) * beta);
+    const Part fifth = Part(7) * a2 * (third - b) + Part(3) * b * b +
+                       beta * (Part(Number(1) / 20) * b - Part(Number(1) / 2) * a2);
+    const Part e2 = e * e;
+    return e + e2 * ((third * e - a) + e2 * (fourth + fifth * e));
 }
 
 /// Returns the place at s, where `time` is sought.
 template <class Number, class Part>
 [[nodiscard, gnu::always_inline]] inline Place<Part> place_at(const UnitOrbit<Part>& orbit,
                                                               const Part& s, const Part& time) {
+    const Part half(Number(1) / 2), sixth(stumpff_coefficients<Number, 3>[0]);
     Place<Part> at;
-    const Part square = s * s;
-    const Part x = orbit.beta * square;
-    const Stumpff<Part> c = stumpff<Number>(x);
     at.s = s;
-    at.G0 = Part(1) - x * c.c2;
-    at.G1 = s - s * (x * c.c3);
-    at.G2 = square * c.c2;
-    at.G3 = s * square * c.c3;
-    at.r = Part(1) + (orbit.eta * at.G1 + orbit.zeta * at.G2);
+    at.square = s * s;
+    at.cube = s * at.square;
+    const Part x = orbit.beta * at.square;
+    const Stumpff<Part> c = stumpff<Number>(x);
+    at.G0 = Part(1) - x * (half + c.c2_less);
+    at.G1_less = -(s * (x * (sixth + c.c3_less)));
+    at.G2_less = at.square * c.c2_less;
+    at.G3_less = at.cube * c.c3_less;
+    at.G1 = s + at.G1_less;
+    at.G2 = half * at.square + at.G2_less;
+    const Part G3 = sixth * at.cube + at.G3_less;
+    at.r_less_1 = orbit.eta * at.G1 + orbit.zeta * at.G2;
+    at.r = Part(1) + at.r_less_1;
+    at.inverse = Part(1) / at.r;
     at.r_rate = orbit.eta * at.G0 + orbit.zeta * at.G1;
     at.r_bend = orbit.zeta * at.G0 - orbit.beta * orbit.eta * at.G1;
-    at.time_left = (time - s) - (orbit.eta * at.G2 + orbit.zeta * at.G3);
-    const Part inverse = Part(1) / at.r;
-    const Part e = at.time_left * inverse;
-    const Part a = Part(Number(1) / 2) * at.r_rate * inverse;
-    const Part b = Part(Number(1) / 6) * at.r_bend * inverse;
-    at.rest = inverse_series<Number>(e, a, b, Part(Number(-1) / 12) * orbit.beta * a);
-    at.size = (e * e) * (a * a + abs(b));
+    at.time_left = (time - s) - (orbit.eta * at.G2 + orbit.zeta * G3);
+    const Part e = at.time_left * at.inverse;
+    const Part a = half * at.r_rate * at.inverse;
+    const Part b = Part(Number(1) / 6) * at.r_bend * at.inverse;
+    at.rest = inverse_series<Number>(e, a, b, orbit.beta);
+    at.order = (e * e) * (a * a + abs(b));
     return at;
 }
 
-/// Returns where the rest is so small that its powers from the fourth on are round-off.
+/// Returns where the rest is so small that the orders from the sixth on are round-off.
 template <class Number, class Part>
 [[nodiscard, gnu::always_inline]] inline auto is_near(const Place<Part>& at) {
-    constexpr Number small = power_of_two<Number>(-bits<Number> / 3 - 2);
-    return abs(at.rest) <= Part(small) * abs(at.s) && at.size <= Part(small);
+    constexpr Number small = power_of_two<Number>(-bits<Number> / 5 - 1);
+    return abs(at.rest) <= Part(small) * abs(at.s) && at.order <= Part(small * small);
 }
 
 /// The four changes of one orbit, or of several.
@@ -219,17 +251,29 @@ struct PartOfChanges {
 
 /// Returns the changes from the beginning of an orbit to the place of the time.
 ///
-/// NOTE: the rest moves G_k and r, not s, which would be rounded.
+/// NOTE: the rest moves G_k and r by the functions g_k of the rest, not s, which would be rounded.
+/// On a circle G_k and r are the same in each step, and so would be the errors of rounding them:
+/// they are rounded with mu only, and what rounding cuts off from r is taken from the numerator.
 template <class Number, class Part>
 [[nodiscard, gnu::always_inline]] inline PartOfChanges<Part>
-changes_to(const UnitOrbit<Part>& orbit, const Place<Part>& at) {
-    const Part d = at.rest, half = Part(Number(1) / 2) * d;
-    const Part G1 = at.G1 + d * (at.G0 - half * (orbit.beta * at.G1));
-    const Part G2 = at.G2 + d * (at.G1 + half * at.G0);
-    const Part G3 = at.G3 + d * (at.G2 + half * at.G1);
-    const Part r = at.r + d * (at.r_rate + half * at.r_bend);
-    const Part fall = orbit.mu * G2;
-    return {-fall, -(orbit.time * (orbit.mu * G3)), -(orbit.mu_rate * G1) / r, -(fall / r)};
+changes_to(const UnitOrbit<Part>& orbit, const Place<Part>& at, const Part& unit) {
+    const Part half(Number(1) / 2), sixth(stumpff_coefficients<Number, 3>[0]);
+    const Part d = at.rest, d2 = d * d, x = orbit.beta * d2;
+    const Part g1 = d - d * (x * sixth);
+    const Part g2 = d2 * (half - x * Part(Number(1) / 24));
+    const Part g3 = d * d2 * sixth;
+    const Part more1 = at.G1_less + (at.G0 * g1 - orbit.beta * at.G1 * g2);
+    const Part more2 = at.G2_less + (at.G1 * g1 + at.G0 * g2);
+    const Part more3 = at.G3_less + (at.G2 * d + (at.G1 * g2 + at.G0 * g3));
+    const Part r_less_1 = at.r_less_1 + (at.r_rate * g1 + at.r_bend * g2);
+    const Part r = Part(1) + r_less_1;
+    const Part lost = ((Part(1) - r) + r_less_1) * at.inverse;
+    const Part first1 = orbit.mu * at.s, first2 = orbit.mu * (half * at.square);
+    const Part second1 = orbit.mu * more1, second2 = orbit.mu * more2;
+    const Part f_rate = (first1 + (second1 - first1 * lost)) / r;
+    const Part g_rate = (first2 + (second2 - first2 * lost)) / r;
+    const Part g = orbit.mu * at.cube * sixth + orbit.mu * more3;
+    return {-(first2 + second2), -(g * unit), -(f_rate / unit), -g_rate};
 }
 
 // ---- any orbit, one by one ----
@@ -238,8 +282,6 @@ changes_to(const UnitOrbit<Part>& orbit, const Place<Part>& at) {
 template <class Number>
 [[nodiscard]] UnitOrbit<Number> backwards(UnitOrbit<Number> orbit) {
     orbit.eta = -orbit.eta;
-    orbit.mu_rate = -orbit.mu_rate;
-    orbit.time = -orbit.time;
     return orbit;
 }
 
@@ -250,24 +292,24 @@ template <class Number>
     return x < whole ? (x + whole) - whole : x;
 }
 
-/// Returns the time that whole periods take, the nearest to 1; 0 where there is no period.
+/// Returns the time that whole periods take, the nearest to a time; 0 where there is no period.
 template <class Number>
-[[nodiscard]] Number time_of_periods(const UnitOrbit<Number>& orbit) {
+[[nodiscard]] Number time_of_periods(const UnitOrbit<Number>& orbit, Number time) {
     if (!(orbit.beta > 0)) { return 0; }
     // NOTE: 2 pi in doubles, of which wider numbers take three.
     constexpr Number two_pi =
         static_cast<Number>(6.283185307179586) +
         (static_cast<Number>(2.4492935982947064e-16) + static_cast<Number>(-5.989539619436679e-33));
     const Number period = two_pi * orbit.mu / (orbit.beta * math::sqrt(orbit.beta));
-    return is_finite(period) ? nearest_integer(1 / period) * period : Number(0);
+    return is_finite(period) ? nearest_integer(time / period) * period : Number(0);
 }
 
 /// Returns the step from a place by the method of Laguerre and Conway, which finds the solution
 /// from nearly everywhere.
 template <class Number>
 [[nodiscard]] Number laguerre_step(const Place<Number>& at) {
-    const Number root = 16 * at.r * at.r + 20 * at.time_left * at.r_rate;
-    return 5 * at.time_left / (at.r + math::sqrt(abs(root)));
+    return 5 * at.time_left /
+           (at.r + math::sqrt(abs(16 * at.r * at.r + 20 * at.time_left * at.r_rate)));
 }
 
 /// Returns the place of a time >= 0. Time grows with s, so that halving an interval gets there
@@ -306,41 +348,55 @@ template <class Number>
 /// Returns the changes of any orbit, after whole periods have been left out; NaN where numbers are
 /// not finite.
 template <class Number>
-[[nodiscard, gnu::noinline]] PartOfChanges<Number> changes_one_by_one(UnitOrbit<Number> orbit) {
-    const Number sum = orbit.mu + orbit.eta + orbit.beta + orbit.zeta + orbit.mu_rate + orbit.time;
+[[nodiscard, gnu::noinline]] PartOfChanges<Number>
+changes_one_by_one(UnitOrbit<Number> orbit, const TimeUnit<Number>& scale) {
+    const Number sum = orbit.mu + orbit.eta + orbit.beta + orbit.zeta + scale.time + scale.unit;
     if (!is_finite(sum)) {
         const Number nan = sum - sum;
         return {nan, nan, nan, nan};
     }
-    const Number left_out = time_of_periods(orbit);
-    const Number g_of_periods = orbit.time * left_out;
-    const bool goes_back = left_out > 1;
-    if (goes_back) { orbit = backwards(orbit); }
-    const Number time = abs(1 - left_out);
-    PartOfChanges<Number> changes = changes_to<Number>(orbit, place_between(orbit, time));
-    changes.g_less_time -= g_of_periods;
+    const Number left_out = time_of_periods(orbit, scale.time);
+    Number time = scale.time - left_out, unit = scale.unit;
+    if (time < 0) {
+        orbit = backwards(orbit);
+        time = -time;
+        unit = -unit;
+    }
+    PartOfChanges<Number> changes = changes_to<Number>(orbit, place_between(orbit, time), unit);
+    changes.g_less_time -= left_out * scale.unit;
     return changes;
 }
 
 // ---- usual orbits, side by side ----
 
+/// Returns x with a third of its digits, so that its cube is exact.
+template <class Number, class Part>
+[[nodiscard, gnu::always_inline]] inline Part with_few_digits(const Part& x) {
+    constexpr Number factor = 1 / power_of_two<Number>(bits<Number> / 3 - bits<Number>) + 1;
+    const Part scaled = Part(factor) * x;
+    return scaled - (scaled - x);
+}
+
 /// Returns the changes of orbits, and sets `is_found` to where they are.
 ///
-/// NOTE: what is found stays, whatever the others need.
+/// NOTE: what is found stays, whatever the others need. Places have few digits, so that the rests
+/// are of any sign and far above round-off: sums would cut off smaller ones, which are errors of
+/// the series and have one sign, and the energy would drift (e = 0.5, P/20: by 1e-18 of it a step).
 template <class Number, class Part, class Mask>
 [[nodiscard, gnu::always_inline]] inline PartOfChanges<Part>
-usual_changes(const UnitOrbit<Part>& orbit, Mask& is_found) {
+usual_changes(const UnitOrbit<Part>& orbit, const TimeUnit<Number>& scale, Mask& is_found) {
     constexpr int most = 6;
-    const Part one(1), far(8);
-    const Part a = Part(Number(1) / 2) * orbit.eta;
-    Part s = inverse_series<Number>(one, a, Part(Number(1) / 6) * orbit.zeta,
-                                    Part(Number(-1) / 12) * orbit.beta * a);
+    const Part time(scale.time), far(8);
+    Part s = inverse_series<Number>(time, Part(Number(1) / 2) * orbit.eta,
+                                    Part(Number(1) / 6) * orbit.zeta, orbit.beta);
     Mask is_usual = abs(orbit.beta * s * s) <= far;
     for (int k = 1;; ++k) {
-        s = select(is_usual, s, Part(0));
-        const Place<Part> at = place_at<Number>(orbit, s, one);
+        s = with_few_digits<Number>(select(is_usual, s, Part(0)));
+        const Place<Part> at = place_at<Number>(orbit, s, time);
         is_found = is_usual && is_near<Number>(at);
-        if (k == most || all(is_found || !is_usual)) { return changes_to<Number>(orbit, at); }
+        if (k == most || all(is_found || !is_usual)) {
+            return changes_to<Number>(orbit, at, Part(scale.unit));
+        }
         s = select(is_found, s, s + at.rest);
         is_usual = is_usual && abs(orbit.beta * s * s) <= far;
     }
@@ -422,19 +478,19 @@ orbit_changes(const std::array<Number, n>& r2, const std::array<Number, n>& rv,
     constexpr std::size_t width = orbits_at_once<Number>(n);
     using Part = typename Register<Number, width>::Type;
     constexpr auto places = std::make_index_sequence<width>();
+    const TimeUnit<Number> scale(time);
     OrbitChanges<Number, n> changes;
     for (std::size_t first = 0; first < n; first += width) {
         const UnitOrbit<Part> orbit = unit_orbit<Part>(
             part_of<width>(r2, first, places), part_of<width>(rv, first, places),
-            part_of<width>(v2, first, places), part_of<width>(mu, first, places), Part(time));
+            part_of<width>(v2, first, places), part_of<width>(mu, first, places), Part(scale.unit));
         typename MaskOf<Part>::type is_found;
-        set_changes<width>(changes, first, usual_changes<Number>(orbit, is_found));
+        set_changes<width>(changes, first, usual_changes<Number>(orbit, scale, is_found));
         if (all(is_found)) { continue; }
         for (std::size_t k = first; k < n && k < first + width; ++k) {
             if (is_set(is_found, k - first)) { continue; }
-            set_changes<1>(
-                changes, k,
-                changes_one_by_one(unit_orbit<Number>(r2[k], rv[k], v2[k], mu[k], time)));
+            const auto alone = unit_orbit<Number>(r2[k], rv[k], v2[k], mu[k], scale.unit);
+            set_changes<1>(changes, k, changes_one_by_one(alone, scale));
         }
     }
     return changes;
