@@ -144,6 +144,10 @@ std::string split_table(const SystemOptions& system) {
                           : has_orbits ? fmt::format("with {} orbits", word_of(*choice))
                                        : "as found among its terms"),
               rows);
+    if (has_orbits)
+        text += *choice == SplitChoice::jacobi
+                    ? "Q_j: body j from the centre of mass of those before it\n"
+                    : "Q_j: body j from the first one; P_j: its momentum as the centre sees it\n";
     text += fmt::format("strang takes {} flow{} a step, as in hvi-gen run --method strang {}\n",
                         flows, flows == 1 ? "" : "s", scene.origin);
     const bool is_kicked = is_separable(split) && rotations_of(split) == 0;

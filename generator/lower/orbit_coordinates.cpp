@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "generator/graph/replaced.hpp"
-#include "generator/graph/written.hpp"
 #include "generator/lower/constancy.hpp"
 #include "generator/lower/derivative.hpp"
 #include "generator/lower/flows.hpp"
@@ -294,40 +293,28 @@ private:
 
     // ---- parts ----
 
-    void add(const std::string& name, const Scaled& value, Flow flow) {
-        parts_.parts.push_back({name, written(graph_, value).value_or(Expression::symbol("...")),
-                                std::move(flow.kind), std::move(flow.moved), std::move(flow.usual),
+    /// Adds a part. NOTE: a short text tells more than pages of terms.
+    void add(const std::string& name, const std::string& text, Flow flow) {
+        parts_.parts.push_back({name, Expression::symbol(text), std::move(flow.kind),
+                                std::move(flow.moved), std::move(flow.usual),
                                 std::move(flow.in_each_flow)});
     }
 
     /// Adds a part that moves p alone, or q alone.
-    void add_shear(const std::string& name, const Scaled& value) {
+    void add_shear(const std::string& name, const std::string& text, const Scaled& value) {
         auto flow = flow_of(system_, value, parts_.duration);
         if (const auto* none = std::get_if<NoFlow>(&flow))
             throw MathError("what is left beside the orbits has no known flow: " + none->reason,
                             place_);
-        add(name, value, std::get<Flow>(std::move(flow)));
+        add(name, text, std::get<Flow>(std::move(flow)));
     }
 
     void add_orbits(const OrbitForm& form) {
         if (!are_apart(graph_, form))
             throw MathError("it is not proved that the orbits do not couple", place_,
                             "give masses as numbers, or as parameters without functions");
-        std::vector<Scaled> terms{kinetic_energy(form.kinetic)};
-        for (const Attraction& attraction : form.attractions)
-            terms.push_back(graph_.times({-1, 1}, over_distance(attraction)));
-        add("A", graph_.sum(std::move(terms)),
-            flow_of_orbits(graph_, form, q_, p_, parts_.duration));
+        add("A", "T - sum_j k_j/|Q_j|", flow_of_orbits(graph_, form, q_, p_, parts_.duration));
     }
-
-    [[nodiscard]] Scaled kinetic_energy(const std::vector<LinearForm>& K) {
-        std::vector<Scaled> terms;
-        for (std::size_t a = 0; a < p_.size(); ++a)
-            terms.push_back(graph_.product(momentum(a), applied(K[a], p_)));
-        return graph_.times({1, 2}, graph_.sum(std::move(terms)));
-    }
-
-    [[nodiscard]] Scaled momentum(std::size_t a) const { return {{1, 1}, p_[a]}; }
 
     [[nodiscard]] Scaled applied(const LinearForm& form, const std::vector<Node>& variables) {
         std::vector<Scaled> terms;
@@ -350,8 +337,9 @@ private:
         std::vector<Scaled> squares;
         for (const LinearForm& c : components(motion_of_first()))
             squares.push_back(graph_.half_power(applied(c, p_), 4));
-        add_shear("C", graph_.times({1, 2}, graph_.product(bodies_.inverse_masses[0],
-                                                           graph_.sum(std::move(squares)))));
+        add_shear("C", "|sum_j P_j|^2/(2*m_1)",
+                  graph_.times({1, 2}, graph_.product(bodies_.inverse_masses[0],
+                                                      graph_.sum(std::move(squares)))));
     }
 
     /// Adds what is left of the potential: U(q) + sum_j k_j/|Q_j|. NOTE: attractions that are those
@@ -374,7 +362,7 @@ private:
         std::vector<Scaled> terms{replaced(graph_, function_of(system_), removed)};
         for (const Attraction& attraction : form.attractions)
             terms.push_back(over_distance(attraction));
-        add_shear("B", graph_.sum(std::move(terms)));
+        add_shear("B", "U + sum_j k_j/|Q_j|", graph_.sum(std::move(terms)));
     }
 
     System system_;

@@ -54,7 +54,7 @@ TEST_CASE("a body alone stays on its orbit with steps of any size") {
     CHECK(ellipse.q[0] == Approx(0.385726710705694569372469).margin(1e-11));
     CHECK(ellipse.q[1] == Approx(0.1346826831959195615127168).margin(1e-11));
     CHECK(ellipse.p[0] == Approx(-0.4120611822944845720722944).margin(1e-11));
-    CHECK(ellipse.p[1] == Approx(1.930129476814333095071508).epsilon(1e-13));
+    CHECK(ellipse.p[1] == Approx(1.930129476814333095071508).margin(1e-11));
     const auto hyperbola = moved(2, 1, std::sqrt(5.0), 0.73, 10);
     CHECK(hyperbola.q[0] == Approx(-4.851031861611951881084359).epsilon(1e-14));
     CHECK(hyperbola.q[1] == Approx(8.488131514948242037587933).epsilon(1e-14));
@@ -115,5 +115,5 @@ TEST_CASE("orbits of planets keep momenta to round-off, and the energy nearly") 
     };
     check(made::Planets{}, 1e-6);
     check(made::PlanetsSun{}, 1e-6);
-    check(made::Planets84{}, 1e-9);
+    check(made::Planets84{}, 1e-11);
 }
