@@ -316,7 +316,7 @@ template <class Number>
 /// where Laguerre's steps do not.
 template <class Number>
 [[nodiscard]] Place<Number> place_between(const UnitOrbit<Number>& orbit, Number time) {
-    constexpr int most = 4 * bits<Number> + 16384;
+    constexpr int most = 64 * bits<Number>;
     Number low = 0, high = time;
     Place<Number> at = place_at<Number>(orbit, high, time);
     int k = 0;
@@ -336,12 +336,10 @@ template <class Number>
             step = (high - low) / 2;
             next = low + step;
         }
-        if (!(low < next && next < high)) {
-            at.rest = 0;
-            break;
-        }
+        if (!(low < next && next < high)) { break; }
         at = place_at<Number>(orbit, next, time);
     }
+    if (!is_near<Number>(at)) { at.rest = 0; }
     return at;
 }
 
@@ -466,11 +464,12 @@ template <std::size_t width, class Number, std::size_t n, class Part>
 /// mu may be of any sign; where it is 0 all changes are 0. The time may be of any sign, and long:
 /// whole periods are left out. The changes are, to round-off, those of an orbit whose r2, rv, v2,
 /// mu and time differ from the given ones by round-off. A body that falls straight into the other
-/// comes back from there, which is the limit of ever thinner ellipses; where it is there at the
-/// end, and where the numbers are not finite, the changes are not finite.
+/// one comes back from there, as on ever thinner ellipses; at the other one the rates have no
+/// limit. Where numbers are not finite, or overflow, changes are NaN.
 ///
-/// The changes of an orbit do not depend on the other orbits beside it, up to what the compiler
-/// makes of products and sums in registers and out of them: with -ffp-contract=off not by a bit.
+/// The changes of an orbit do not depend on the orbits beside it, up to what the compiler makes of
+/// products and sums in registers and out of them: where it fuses none, not by a bit. With -time
+/// and -rv for time and rv, g and f_rate change their signs, and nothing else.
 template <class Number, std::size_t n>
 [[nodiscard]] OrbitChanges<Number, n>
 orbit_changes(const std::array<Number, n>& r2, const std::array<Number, n>& rv,
