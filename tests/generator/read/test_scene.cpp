@@ -186,7 +186,7 @@ TEST_CASE("the scenes that come with the program are read") {
          "100",
          "theta2 = pi/4"}};
     std::vector<SceneEntry> entries = scenes();
-    CHECK(entries.size() == 35);
+    CHECK(entries.size() == 36);
     // NOTE: for those with rotations see test_rotations.cpp.
     const auto is_other = [](const SceneEntry& entry) {
         return entry.degrees_of_freedom > 64 ||
