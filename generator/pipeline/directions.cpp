@@ -64,7 +64,8 @@ void carry_directions(SceneStepper& stepper) {
     stepper.evaluations->directions = direction_kernels(stepper.system);
 }
 
-/// A stepper whose steps are to be computed in dual numbers, as those of rotations are. NOTE: six
+/// A stepper whose steps are to be computed in dual numbers, as those of rotations and those of
+/// flows of parts of H are. NOTE: six
 /// directions take four times as long as one, and eight more than six and two, as they do not stay
 /// in registers.
 SceneStepper stepper_in_duals(const SceneStepper& stepper, const Method& method, const Scene& scene,
@@ -115,7 +116,7 @@ void add_directions(SceneStepper& stepper, const Method& method, const Scene& sc
 SceneStepper stepper_of_directions(const SceneStepper& stepper, const Method& method,
                                    const Scene& scene, const StepperWishes& wishes,
                                    std::string_view what, std::size_t count) {
-    if (!scene.rotations.texts.empty())
+    if (!scene.rotations.texts.empty() || stepper.system.parts)
         return stepper_in_duals(stepper, method, scene, wishes, what, count);
     if (!carries_along(stepper, wishes)) return tangent_stepper(method, scene, wishes, what);
     check_motion(scene, what);

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <tuple>
 #include <type_traits>
 #include <vector>
 
@@ -19,9 +20,22 @@
 
 namespace hvi::driver {
 
-/// Directions of a stepper with rotations that is computed in dual numbers, as many at a time as
-/// these have parts. A direction of a rotation R is the theta of R exp(hat theta), and one of its
-/// angular momentum L in the body is dL.
+/// Space of the coordinates of a stepper: numbers alone, unless it names another.
+template <class Stepper, class = void>
+struct SpaceOf {
+    struct Type {
+        static constexpr std::size_t coordinates = std::tuple_size_v<decltype(Stepper::State::q)>;
+        static constexpr std::size_t rotations = 0, degrees_of_freedom = coordinates;
+    };
+};
+template <class Stepper>
+struct SpaceOf<Stepper, std::void_t<typename Stepper::Space>> {
+    using Type = typename Stepper::Space;
+};
+
+/// Directions of a stepper, with rotations or flows of parts of H, that is computed in dual
+/// numbers, as many at a time as these have parts. A direction of a rotation R is the theta of R
+/// exp(hat theta), and one of its angular momentum L in the body is dL.
 ///
 /// NOTE: a stepper remembers what its last step left behind, as long as it goes on from where that
 /// ended, derivatives included. So states are kept, and made anew only where directions, or the
@@ -59,7 +73,7 @@ public:
     }
 
 private:
-    using Space = typename Stepper::Space;
+    using Space = typename SpaceOf<Stepper>::Type;
     static constexpr std::size_t parts = parts_of<Scalar>;
     static constexpr std::size_t degrees = Space::degrees_of_freedom;
     static constexpr std::size_t size = 2 * degrees;
@@ -86,20 +100,20 @@ private:
     void take(std::size_t k, const double* d) {
         State& x = groups_[k / parts].x;
         const std::size_t i = k % parts;
-        auto at = Stepper::flat(x);
+        auto at = detail::flat<Stepper>(x);
         for (std::size_t l = 0; l < Space::coordinates; ++l) { at.q[l].by[i] = d[l]; }
         for (std::size_t r = 0; r < Space::rotations; ++r) {
             const double* const theta = d + Space::coordinates + 3 * r;
             set_turn(&at.q[entries_of(r)], i, {theta[0], theta[1], theta[2]});
         }
         for (std::size_t l = 0; l < degrees; ++l) { at.p[l].by[i] = d[degrees + l]; }
-        Stepper::set(x, at);
+        detail::set_flat<Stepper>(x, at);
     }
 
     /// Writes direction k.
     void give(std::size_t k, double* d) const {
         const std::size_t i = k % parts;
-        const auto at = Stepper::flat(groups_[k / parts].x);
+        const auto& at = detail::flat<Stepper>(groups_[k / parts].x);
         for (std::size_t l = 0; l < Space::coordinates; ++l) { d[l] = at.q[l].by[i]; }
         for (std::size_t r = 0; r < Space::rotations; ++r) {
             const std::array<double, 3> theta = turn_of(&at.q[entries_of(r)], i);
@@ -116,11 +130,11 @@ private:
     /// Puts a state back on the motion of another one, of which rounding may have made another: so
     /// all directions are those of one motion.
     static void take_values(State& x, const State& y) {
-        auto at = Stepper::flat(x);
-        const auto from = Stepper::flat(y);
+        auto at = detail::flat<Stepper>(x);
+        const auto& from = detail::flat<Stepper>(y);
         for (std::size_t k = 0; k < at.q.size(); ++k) { at.q[k].value = from.q[k].value; }
         for (std::size_t k = 0; k < at.p.size(); ++k) { at.p[k].value = from.p[k].value; }
-        Stepper::set(x, at);
+        detail::set_flat<Stepper>(x, at);
     }
 
     [[nodiscard]] static bool has_values(const State& x, const State& y) {

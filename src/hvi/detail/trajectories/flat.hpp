@@ -27,6 +27,16 @@ template <class Stepper>
     }
 }
 
+/// Sets x from such a state.
+template <class Stepper, class Flat>
+void set_flat(typename Stepper::State& x, const Flat& at) {
+    if constexpr (HasFlat<Stepper>::value) {
+        Stepper::set(x, at);
+    } else {
+        x = at;
+    }
+}
+
 /// Writes the numbers one after the other. Returns their end.
 template <class Stepper>
 double* write_numbers(const typename Stepper::State& x, double* out) {
@@ -39,17 +49,10 @@ double* write_numbers(const typename Stepper::State& x, double* out) {
 /// Sets x to these numbers, as many as it has. Returns their end.
 template <class Stepper>
 const double* read_numbers(typename Stepper::State& x, const double* all) {
-    const auto copy = [&](auto& at) {
-        for (auto& value : at.q) { value = *all++; }
-        for (auto& value : at.p) { value = *all++; }
-    };
-    if constexpr (HasFlat<Stepper>::value) {
-        auto at = Stepper::flat(x);
-        copy(at);
-        Stepper::set(x, at);
-    } else {
-        copy(x);
-    }
+    auto at = flat<Stepper>(x);
+    for (auto& value : at.q) { value = *all++; }
+    for (auto& value : at.p) { value = *all++; }
+    set_flat<Stepper>(x, at);
     return all;
 }
 
