@@ -102,7 +102,7 @@ ModuleKind kind_of(const SceneStepper& stepper) {
     ModuleKind kind{"", "hvi/detail/module/driven.hpp", "hvi::detail::Driven",
                     "DrivenFunctions hvi_scene", stepper.class_name};
     if (stepper.step.dual_parts != 0) {
-        kind.include = "#include <driver/dual.hpp>";
+        kind.include = "#include <driver/dual.hpp>\n#include <driver/orbits_in_duals.hpp>";
         kind.driven = "driver/carried_in_duals.hpp";
         kind.stepper = fmt::format("Basic{}<hvi::driver::Dual<{}>>", stepper.class_name,
                                    stepper.step.dual_parts);

@@ -53,6 +53,50 @@ TEST_CASE("the tangent of a splitting is that of its steps") {
     }
 }
 
+TEST_CASE("the tangent of orbits is that of their places, for every eccentricity") {
+    // NOTE: the third is a parabola, and the last one goes on for periods in a step.
+    for (const std::string start : {"0.8", "1.2", "sqrt(199/100)", "1.7", "0.1", "1.05, far"}) {
+        const std::string speed = start.substr(0, start.find(','));
+        const std::string step = start.find(',') == std::string::npos ? "1/2" : "15";
+        const auto run = [&](const std::string& words) {
+            return run_scene("hamiltonian = \"(px^2 + py^2)/2 - 1/sqrt(x^2 + y^2)\"\n"
+                             "coordinates = [\"x\", \"y\"]\nmomenta = [\"px\", \"py\"]\n"
+                             "parameters = {a = 0, b = 0, c = 0, d = 0}\n"
+                             "initial = {x = \"1 + a\", y = \"b\", px = \"1/10 + c\", py = \"" +
+                                 speed + " + d\"}\nrun = {method = \"strang\", step = \"" + step +
+                                 "\", until = 30}\n",
+                             "--split auto " + words);
+        };
+        const SceneRun along = run("--tangent");
+        REQUIRE(along.tangent.size() == 4);
+        const std::vector<std::string> names{"a", "b", "c", "d"};
+        for (std::size_t column = 0; column < 4; ++column) {
+            const auto end = [&](const std::string& by) {
+                return run("--param " + names[column] + "=" + by).last();
+            };
+            // NOTE: differences of order 4.
+            const std::vector<double> p = end("1e-4"), m = end("-1e-4"), pp = end("2e-4"),
+                                      mm = end("-2e-4");
+            for (std::size_t row = 0; row < 4; ++row) {
+                CAPTURE(start, row, column);
+                const std::size_t k = row + 1;
+                const double expected = (8 * (p[k] - m[k]) - (pp[k] - mm[k])) / 12e-4;
+                const double tolerance = 1e-5 * (1 + std::abs(expected));
+                CHECK(std::abs(along.tangent[row][column] - expected) < tolerance);
+            }
+        }
+    }
+}
+
+TEST_CASE("the tangent of planets is canonical") {
+    const SceneRun run = run_words("outer-solar-system --split jacobi --method mclachlan:8.4 "
+                                   "--step 200 --until 20000 --tangent");
+    REQUIRE(run.tangent.size() == 36);
+    CHECK(run.outcome.out.find("D^T J D - J is ") != std::string::npos);
+    const std::string text = run.outcome.out.substr(run.outcome.out.find("D - J is ") + 9);
+    CHECK(std::stod(text) < 1e-12);
+}
+
 TEST_CASE("Lyapunov exponents go along with flows") {
     const SceneRun flows = run_scene(split_star, "--split auto --lyapunov --until 100");
     const SceneRun kicks = run_scene(split_star, "--method gauss:8 --lyapunov --until 100");

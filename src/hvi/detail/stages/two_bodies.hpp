@@ -495,23 +495,32 @@ orbit_changes(const std::array<Number, n>& r2, const std::array<Number, n>& rv,
     return changes;
 }
 
+/// Changes of orbits for one kind of numbers.
+template <class Number>
+struct OrbitValues {
+    template <std::size_t n>
+    [[nodiscard]] static std::array<Number, 4 * n> of(const std::array<Number, 4 * n + 1>& given) {
+        const auto part = [&](std::size_t kind) {
+            std::array<Number, n> numbers;
+            for (std::size_t j = 0; j < n; ++j) { numbers[j] = given[kind * n + j]; }
+            return numbers;
+        };
+        const OrbitChanges<Number, n> changes =
+            orbit_changes(part(0), part(1), part(2), part(3), given[4 * n]);
+        std::array<Number, 4 * n> values;
+        std::size_t place = 0;
+        for (const auto* kind :
+             {&changes.f_less_1, &changes.g_less_time, &changes.f_rate, &changes.g_rate_less_1}) {
+            for (const Number& value : *kind) { values[place++] = value; }
+        }
+        return values;
+    }
+};
+
 /// Returns the changes of n orbits, kind by kind, from their r2, then rv, v2 and mu, and the time.
 template <std::size_t n, class Number>
 [[nodiscard]] std::array<Number, 4 * n> orbit_values(const std::array<Number, 4 * n + 1>& given) {
-    const auto part = [&](std::size_t kind) {
-        std::array<Number, n> numbers;
-        for (std::size_t j = 0; j < n; ++j) { numbers[j] = given[kind * n + j]; }
-        return numbers;
-    };
-    const OrbitChanges<Number, n> changes =
-        orbit_changes(part(0), part(1), part(2), part(3), given[4 * n]);
-    std::array<Number, 4 * n> values;
-    std::size_t place = 0;
-    for (const auto* kind :
-         {&changes.f_less_1, &changes.g_less_time, &changes.f_rate, &changes.g_rate_less_1}) {
-        for (const Number& value : *kind) { values[place++] = value; }
-    }
-    return values;
+    return OrbitValues<Number>::template of<n>(given);
 }
 
 }  // namespace hvi::detail
