@@ -94,6 +94,7 @@ private:
             }
             add(part.name, part.expression, std::get<Flow>(std::move(flow)));
         }
+        parts_.small_steps = split.small_steps;
         check_sum(system_.graph.sum(std::move(rest)), split.place);
     }
 

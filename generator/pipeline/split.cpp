@@ -1,12 +1,27 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/pipeline/split.hpp"
 
+#include <fmt/format.h>
+
 #include <variant>
 
 #include "generator/lower/parts.hpp"
 #include "generator/pipeline/refusals.hpp"
 
 namespace hvi::gen {
+
+namespace {
+
+/// Throws InputError where fast parts take small steps, and the splitting is not made for that.
+void check_small_steps(const WrittenOutScene& scene, const Method& method) {
+    const bool are_there = scene.split && scene.split->small_steps.exist();
+    if (!are_there || method.splitting.empty() || method.splitting == "strang") return;
+    throw InputError(
+        fmt::format("{} is for flows that are exact, and small steps are not", method.splitting),
+        method.place, "take strang, of which --compose makes higher orders");
+}
+
+}  // namespace
 
 System in_parts(const LoweredScene& scene, const Method& method, const StepperWishes& wishes) {
     check_splitting(scene.system, method, wishes, scene.place());
@@ -16,6 +31,7 @@ System in_parts(const LoweredScene& scene, const Method& method, const StepperWi
         throw InputError("directions, shadows and balances of the energy are not built for flows "
                          "of parts of H",
                          method.place, "take a method that is no splitting: gauss:2");
+    check_small_steps(*scene.written, method);
     return with_parts(scene.system, *scene.written);
 }
 

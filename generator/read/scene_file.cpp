@@ -375,7 +375,9 @@ std::optional<IndexedSplit> SceneReader::split() const {
     if (table == nullptr) return {};
     check_absent("lagrangian", "split", "stands beside", "parts are of a Hamiltonian");
     IndexedSplit split{{}, file_.place(*table)};
+    const toml::node* small_steps = table->get("small_steps");
     for (const auto& [key, node] : in_order(*table)) {
+        if (node == small_steps) continue;
         const std::string name(key->str());
         const Place place = file_.place(key->source());
         if (name == "coordinates")
@@ -386,6 +388,7 @@ std::optional<IndexedSplit> SceneReader::split() const {
     if (split.parts.empty() || split.parts.size() > most_parts)
         throw InputError(fmt::format("a splitting has from 1 to {} parts", most_parts), split.place,
                          "write parts of H, as A = \"p^2/2\" and B = \"-cos(q)\"");
+    if (small_steps != nullptr) read_small_steps(*small_steps, split);
     return split;
 }
 
