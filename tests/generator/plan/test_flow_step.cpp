@@ -6,12 +6,11 @@
 #include <catch2/catch.hpp>
 
 #include "generator/plan/flow_step.hpp"
+#include "tests/generator/plan/tableaux.hpp"
 
 using namespace hvi::gen;
 
 namespace {
-
-Number ratio(long a, long b) { return Number(a) / Number(b); }
 
 /// Returns the flows one by one, a letter and a fraction for each.
 std::vector<std::string> one_by_one(const FlowStep& form) {
@@ -29,14 +28,14 @@ std::vector<std::string> one_by_one(const FlowStep& form) {
 
 using Flows = std::vector<std::string>;
 
-const NumberVector strang{ratio(1, 2), ratio(1, 2)};
+NumberVector halves() { return {tableaux::ratio(1, 2), tableaux::ratio(1, 2)}; }
 
 }  // namespace
 
 // Tuckerman, Berne & Martyna, J. Chem. Phys. 97 (1992) 1990: half a kick of the slow force,
 // n steps of velocity Verlet of the rest, half a kick of the slow force.
 TEST_CASE("fast parts take their small steps in the middle of a large one") {
-    const FlowStep form = flow_step(3, {2, 4}, strang);
+    const FlowStep form = flow_step(3, {2, 4}, halves());
     CHECK(one_by_one(form) == Flows{"A 0.5", "B 0.125", "C 0.25", "B 0.25", "C 0.25", "B 0.25",
                                     "C 0.25", "B 0.25", "C 0.25", "B 0.125", "A 0.5"});
     CHECK(form.counts() == std::vector<std::size_t>{2, 5, 4});
@@ -45,7 +44,7 @@ TEST_CASE("fast parts take their small steps in the middle of a large one") {
 
 TEST_CASE("small steps are a round that is made several times, however many") {
     for (const std::size_t count : {std::size_t{3}, std::size_t{10}, std::size_t{1000}}) {
-        const FlowStep form = flow_step(3, {2, count}, strang);
+        const FlowStep form = flow_step(3, {2, count}, halves());
         REQUIRE(form.rounds.size() == 3);
         CHECK(form.rounds[0].moves.size() == 2);
         CHECK(form.rounds[1].moves.size() == 2);
@@ -58,20 +57,20 @@ TEST_CASE("small steps are a round that is made several times, however many") {
 }
 
 TEST_CASE("one small step in a large one is the splitting of all parts") {
-    const FlowStep form = flow_step(4, {2, 1}, strang);
-    CHECK(one_by_one(form) == one_by_one(flow_step(4, {}, strang)));
+    const FlowStep form = flow_step(4, {2, 1}, halves());
+    CHECK(one_by_one(form) == one_by_one(flow_step(4, {}, halves())));
     CHECK(form.rounds.size() == 1);
 }
 
 TEST_CASE("two small steps are no round of their own") {
-    const FlowStep form = flow_step(3, {2, 2}, strang);
+    const FlowStep form = flow_step(3, {2, 2}, halves());
     CHECK(form.rounds.size() == 1);
     CHECK(one_by_one(form) ==
           Flows{"A 0.5", "B 0.25", "C 0.5", "B 0.5", "C 0.5", "B 0.25", "A 0.5"});
 }
 
 TEST_CASE("three fast parts go there and back in each small step") {
-    const FlowStep form = flow_step(5, {3, 2}, strang);
+    const FlowStep form = flow_step(5, {3, 2}, halves());
     CHECK(one_by_one(form) == Flows{"A 0.5", "B 0.5", "C 0.25", "D 0.25", "E 0.5", "D 0.25",
                                     "C 0.5", "D 0.25", "E 0.5", "D 0.25", "C 0.25", "B 0.5",
                                     "A 0.5"});
@@ -79,7 +78,7 @@ TEST_CASE("three fast parts go there and back in each small step") {
 
 TEST_CASE("each step of a composition has as many small steps, and slow flows in a row are one") {
     const FlowStep form =
-        flow_step(3, {2, 2}, {ratio(1, 1), ratio(1, 1), ratio(-1, 2), ratio(-1, 2)});
+        flow_step(3, {2, 2}, {1, 1, tableaux::ratio(-1, 2), tableaux::ratio(-1, 2)});
     CHECK(one_by_one(form) == Flows{"A 1.", "B 0.5", "C 1.", "B 1.", "C 1.", "B 0.5", "A 0.5",
                                     "B -0.25", "C -0.5", "B -0.5", "C -0.5", "B -0.25", "A -0.5"});
 }

@@ -6,7 +6,7 @@ using namespace hvi::test;
 
 namespace {
 
-const std::string spring = R"toml(name = "spring"
+const std::string stiff_spring = R"toml(name = "spring"
 coordinates = ["x"]
 momenta = ["p"]
 hamiltonian = "p^2/2 + 50*x^2 + x^4"
@@ -23,7 +23,7 @@ p = 0
 /// Runs the program where the scene is.
 Outcome with_spring(const std::vector<std::string>& words) {
     const Directory directory;
-    write(directory / "spring.toml", spring);
+    write(directory / "spring.toml", stiff_spring);
     return hvi_gen(words, directory.path());
 }
 
