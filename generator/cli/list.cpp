@@ -135,7 +135,7 @@ std::string strang_text(const HamiltonianParts& split, const std::string& scene)
     const std::size_t flows = flow_step(split.parts.size(), small, {half, half}).flows();
     std::string text;
     if (small.exist())
-        text = fmt::format("the last {} are fast: they take {} small steps in a large one\n",
+        text = fmt::format("the first {} are fast: they take {} small steps in a large one\n",
                            small.parts, small.count);
     return text +
            fmt::format("strang takes {} flow{} a step, as in hvi-gen run --method strang {}\n",

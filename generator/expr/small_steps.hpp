@@ -6,7 +6,7 @@
 
 namespace hvi::gen {
 
-/// The last parts of H are fast: where the other parts take one step, these take several.
+/// The first parts of H are fast: where the other parts take one step, these take several.
 struct SmallSteps {
     std::size_t parts = 0;  ///< the number of fast parts; 0: there are none
     std::size_t count = 1;  ///< the number of small steps in a large one

@@ -323,7 +323,7 @@ std::string lines(const HamiltonianParts& parts) {
     }
     if (const SmallSteps& small = parts.small_steps; small.exist()) {
         result +=
-            line("small steps", fmt::format("{}, of the last {} parts", small.count, small.parts));
+            line("small steps", fmt::format("{}, of the first {} parts", small.count, small.parts));
     }
     return result;
 }

@@ -110,7 +110,7 @@ enum class SplitChoice {
 
 /// The section [split]: parts of H whose sum it is.
 struct IndexedSplit {
-    std::vector<NamedIndexed> parts;  ///< in the order of the file, fast ones behind the others
+    std::vector<NamedIndexed> parts;  ///< in the order of the file, fast ones before the others
     Place place;                      ///< the place of the section
     SmallSteps small_steps = {};
 };

@@ -63,7 +63,7 @@ void SceneReader::read_small_steps(const toml::node& node, IndexedSplit& split) 
             fmt::format("a whole number from 1 to {} is wanted here", most_small_steps),
             file_.place(*count));
     std::stable_partition(split.parts.begin(), split.parts.end(),
-                          [&](const NamedIndexed& part) { return fast.count(part.name) == 0; });
+                          [&](const NamedIndexed& part) { return fast.count(part.name) == 1; });
     split.small_steps = {fast.size(), static_cast<std::size_t>(steps)};
 }
 

@@ -30,12 +30,12 @@ Refusal refused_choice(const std::string& choice) {
 
 }  // namespace
 
-TEST_CASE("fast parts are the last, all parts being in the order of the file else") {
+TEST_CASE("fast parts are the first, all parts being in the order of the file else") {
     const WrittenOutScene scene = read(spring);
     REQUIRE(scene.split);
     Names names;
     for (const NamedExpression& part : scene.split->parts) { names.push_back(part.name); }
-    CHECK(names == Names{"slow", "field", "bond", "T"});
+    CHECK(names == Names{"bond", "T", "slow", "field"});
     CHECK(scene.split->small_steps == SmallSteps{2, 10});
     const WrittenOutScene plain =
         read(edited(spring, "small_steps = {parts = [\"T\", \"bond\"], count = 10}\n", ""));
