@@ -5,7 +5,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "generator/emit/text/text.hpp"
+#include "generator/exact/numbers/number_text.hpp"
 #include "generator/plan/flow_step.hpp"
 #include "tests/generator/plan/tableaux.hpp"
 
@@ -20,7 +20,7 @@ std::vector<std::string> one_by_one(const FlowStep& form) {
         for (std::size_t k = 0; k < times; ++k) {
             for (const auto& [part, fraction] : moves) {
                 all.push_back(std::string(1, static_cast<char>('A' + part)) + " " +
-                              exact_text(form.fractions[part][fraction]));
+                              dump(form.fractions[part][fraction]));
             }
         }
     }

@@ -25,7 +25,7 @@ p = 0
 
 /// Returns the refusal of a scene in which other small steps are chosen.
 Refusal refused_choice(const std::string& choice) {
-    return refused(spring, "{parts = [\"T\", \"bond\"], count = 10}", choice);
+    return hvi::gen::refused(spring, "{parts = [\"T\", \"bond\"], count = 10}", choice);
 }
 
 }  // namespace
@@ -53,7 +53,7 @@ TEST_CASE("fast parts are parts, each named once") {
     CHECK(unknown.name == "s.toml:6");
     CHECK(unknown.marked == "small_steps = {parts = [\"T\", [\"bnd\"]], count = 10}");
     CHECK(unknown.helps("did you mean `bond`?"));
-    CHECK(refused_choice("{parts = [\"T\", \"V\"], count = 2}").help ==
+    CHECK(refused_choice("{parts = [\"T\", \"potential\"], count = 2}").help ==
           "the parts are bond, slow, T, field");
     const Refusal twice = refused_choice("{parts = [\"T\", \"bond\", \"T\"], count = 10}");
     CHECK(twice.what == "`T` is named twice");
