@@ -43,7 +43,7 @@ std::set<std::string> SceneReader::fast_parts(const toml::node& node,
                          "the flow of one part is exact, in steps of any size");
     if (fast.size() == names.size())
         throw InputError("all parts are fast", file_.place(node),
-                         "a slow one goes without a small step; or let all steps be smaller");
+                         "leave a slow one out; where all are fast, take smaller steps");
     return fast;
 }
 

@@ -134,8 +134,8 @@ TEST_CASE("a step with small steps is that of a loop by hand") {
     for (int n = 0; n < 160; ++n) {
         REQUIRE(even.step(x, h).ok());
         REQUIRE(odd.step(y, h).ok());
-        six.step(h, 6);
-        five.step(h, 5);
+        six.step(static_cast<Real>(h), 6);
+        five.step(static_cast<Real>(h), 5);
     }
     CHECK(six.distance_to(x) < 1e-12);
     CHECK(five.distance_to(y) < 1e-12);
