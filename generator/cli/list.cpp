@@ -10,6 +10,7 @@
 #include "generator/cli/method.hpp"
 #include "generator/expr/functions.hpp"
 #include "generator/pipeline/split.hpp"
+#include "generator/plan/flow_step.hpp"
 #include "generator/read/catalogue.hpp"
 #include "generator/read/written_out_scene.hpp"
 
@@ -127,6 +128,20 @@ std::string function_table() {
            table("Functions: in H and in numbers; all but atan2 have kinks", others);
 }
 
+/// Returns what is told of the steps of strang.
+std::string strang_text(const HamiltonianParts& split, const std::string& scene) {
+    const SmallSteps& small = split.small_steps;
+    const Number half = Number(1) / Number(2);
+    const std::size_t flows = flow_step(split.parts.size(), small, {half, half}).flows();
+    std::string text;
+    if (small.exist())
+        text = fmt::format("the first {} are fast: they take {} small steps in a large one\n",
+                           small.parts, small.count);
+    return text +
+           fmt::format("strang takes {} flow{} a step, as in hvi-gen run --method strang {}\n",
+                       flows, flows == 1 ? "" : "s", scene);
+}
+
 /// Returns what is told of the parts of a scene's H, and of their flows.
 std::string split_table(const SystemOptions& system) {
     const Scene scene = read_scene_alone({}, system);
@@ -137,7 +152,6 @@ std::string split_table(const SystemOptions& system) {
     const bool is_named = std::holds_alternative<IndexedSplit>(scene.split);
     const auto* choice = std::get_if<SplitChoice>(&scene.split);
     const bool has_orbits = choice != nullptr && is_of_orbits(*choice);
-    const std::size_t flows = 2 * rows.size() - 1;
     std::string text =
         table(fmt::format("Parts of H of {}, {}: their flows are exact", title(scene),
                           is_named     ? "as [split] names them"
@@ -148,8 +162,7 @@ std::string split_table(const SystemOptions& system) {
         text += *choice == SplitChoice::jacobi
                     ? "Q_j: body j from the centre of mass of those before it\n"
                     : "Q_j: body j from the first one; P_j: its momentum as the centre sees it\n";
-    text += fmt::format("strang takes {} flow{} a step, as in hvi-gen run --method strang {}\n",
-                        flows, flows == 1 ? "" : "s", scene.origin);
+    text += strang_text(*split.parts, scene.origin);
     const bool is_kicked = is_separable(split) && rotations_of(split) == 0;
     if (is_kicked && !is_named && !has_orbits)
         text +=

@@ -106,8 +106,12 @@ std::string summary(const WishedRun& wished, const Simulation& run, const Monito
         line("time", fmt::format("{} a step, {} in all", duration(run.seconds_of_step),
                                  duration(run.seconds_of_step * static_cast<double>(run.steps))));
         if (const auto* flows = std::get_if<FlowStep>(&wished.stepper.step.form)) {
-            line("flows", fmt::format("{} a step, of {} parts of H", flows->moves.size(),
-                                      flows->fractions.size()));
+            const SmallSteps& small = wished.stepper.system.parts->small_steps;
+            line("flows", fmt::format("{} a step, of {} parts of H{}", flows->flows(),
+                                      flows->fractions.size(),
+                                      small.exist() ? fmt::format(", {} of them in {} small steps",
+                                                                  small.parts, small.count)
+                                                    : ""));
         } else {
             line("evaluations", fmt::format("{:.2f} of d{}/dq a step, {} in all",
                                             per_step(run.evaluations, run.steps),

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "generator/expr/expression.hpp"
+#include "generator/expr/small_steps.hpp"
 #include "generator/graph/graph.hpp"
 
 namespace hvi::gen {
@@ -47,6 +48,7 @@ struct HamiltonianPart {
 struct HamiltonianParts {
     Node duration = 0;  ///< input of the graph with Role::parameter: the time of a flow
     std::vector<HamiltonianPart> parts;
+    SmallSteps small_steps = {};
 };
 
 }  // namespace hvi::gen

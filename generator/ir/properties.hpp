@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "generator/expr/side.hpp"
+#include "generator/expr/small_steps.hpp"
 
 namespace hvi::gen {
 
@@ -74,7 +75,8 @@ struct SystemProperties {
     std::size_t rotations = 0;           ///< among the degrees of freedom, three for each
     LinearPart linear = {};
     Container container = Container::of_user;
-    std::size_t parts = 0;    ///< parts whose flows make up the steps; 0: there are none
+    std::size_t parts = 0;  ///< parts whose flows make up the steps; 0: there are none
+    SmallSteps small_steps = {};
     bool is_lattice = false;  ///< whether there are sites; see Sites
     HessianForm hessian = HessianForm::dense;
     EvaluationCosts costs = {};     ///< zeros: not known

@@ -13,6 +13,20 @@ std::vector<std::size_t> Block::of(StageNode::Kind kind) const {
     return indices;
 }
 
+std::vector<std::size_t> FlowStep::counts() const {
+    std::vector<std::size_t> counts(fractions.size());
+    for (const Round& round : rounds) {
+        for (const Move& move : round.moves) { counts[move.part] += round.times; }
+    }
+    return counts;
+}
+
+std::size_t FlowStep::flows() const {
+    std::size_t all = 0;
+    for (const Round& round : rounds) { all += round.times * round.moves.size(); }
+    return all;
+}
+
 bool Iteration::takes_newton() const {
     return solver == Solver::newton || solver == Solver::automatic;
 }

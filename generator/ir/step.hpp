@@ -121,8 +121,18 @@ struct FlowStep {
         std::size_t part;
         std::size_t fraction;  ///< among the fractions of its part
     };
+    /// Moves in a row, and that so many times.
+    struct Round {
+        std::vector<Move> moves;
+        std::size_t times = 1;
+    };
     std::vector<NumberVector> fractions;  ///< of each part, each value once
-    std::vector<Move> moves;
+    std::vector<Round> rounds;
+
+    /// Returns how many flows of each part there are in a step.
+    [[nodiscard]] std::vector<std::size_t> counts() const;
+    /// Returns how many flows there are in a step.
+    [[nodiscard]] std::size_t flows() const;
 };
 
 /// The general Galerkin form, of one step or of several in a row.

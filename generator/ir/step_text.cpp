@@ -175,11 +175,14 @@ std::string lines(const FlowStep& form) {
     for (std::size_t k = 0; k < form.fractions.size(); ++k) {
         result += line(fmt::format("part {}", k + 1), form.fractions[k]);
     }
-    result += "moves:";
-    for (const auto& [part, fraction] : form.moves) {
-        result += fmt::format(" {}.{}", part + 1, fraction + 1);
+    for (const auto& [moves, times] : form.rounds) {
+        result += times == 1 ? "moves:" : fmt::format("moves, {} times:", times);
+        for (const auto& [part, fraction] : moves) {
+            result += fmt::format(" {}.{}", part + 1, fraction + 1);
+        }
+        result += '\n';
     }
-    return result + '\n';
+    return result;
 }
 
 std::string lines(const GalerkinForm& form) {

@@ -162,11 +162,15 @@ void verify_form(const Step& step, const ExplicitStep&) {
 
 void verify_form(const Step& step, const FlowStep& form) {
     HVI_CHECK(step.is_explicit() && step.layout == Layout::one && !step.depends_on_time());
-    HVI_CHECK(!step.kept.any() && !step.from_parameter && !form.moves.empty());
+    HVI_CHECK(!step.kept.any() && !step.from_parameter && !form.rounds.empty());
     std::vector<Number> sums(form.fractions.size(), Number(0));
-    for (const auto& [part, fraction] : form.moves) {
-        HVI_CHECK(part < sums.size() && fraction < form.fractions[part].size());
-        sums[part] = sums[part] + form.fractions[part][fraction];
+    for (const auto& [moves, times] : form.rounds) {
+        HVI_CHECK(!moves.empty() && times > 0);
+        for (const auto& [part, fraction] : moves) {
+            HVI_CHECK(part < sums.size() && fraction < form.fractions[part].size());
+            sums[part] =
+                sums[part] + Number(static_cast<long>(times)) * form.fractions[part][fraction];
+        }
     }
     for (const Number& sum : sums) { HVI_CHECK(!differ(sum, Number(1))); }
     verify_order(step);

@@ -321,6 +321,10 @@ std::string lines(const HamiltonianParts& parts) {
         }
         add_moved(part.moved);
     }
+    if (const SmallSteps& small = parts.small_steps; small.exist()) {
+        result +=
+            line("small steps", fmt::format("{}, of the first {} parts", small.count, small.parts));
+    }
     return result;
 }
 

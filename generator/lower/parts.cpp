@@ -82,10 +82,11 @@ private:
     /// Adds the parts that the scene names.
     void read_parts(const SceneSplit& split) {
         const Symbols symbols = symbols_of(system_, scene_);
-        std::vector<Scaled> rest{function_of(system_)};
+        std::vector<Scaled> rest;
+        add_terms(system_.graph, function_of(system_), Graph::number(1), rest);
         for (const NamedExpression& part : split.parts) {
             const Scaled value = lower(system_.graph, part.expression, symbols, part.place.source);
-            rest.push_back(system_.graph.times({-1, 1}, value));
+            add_terms(system_.graph, value, Graph::number(-1), rest);
             auto flow = flow_of(system_, value, parts_.duration);
             if (const auto* none = std::get_if<NoFlow>(&flow)) {
                 throw MathError(
@@ -94,6 +95,7 @@ private:
             }
             add(part.name, part.expression, std::get<Flow>(std::move(flow)));
         }
+        parts_.small_steps = split.small_steps;
         check_sum(system_.graph.sum(std::move(rest)), split.place);
     }
 

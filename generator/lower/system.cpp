@@ -72,6 +72,7 @@ SystemProperties properties(const System& system) {
         .linear = linear_part(found.constant),
         .container = system.is_written_out() ? Container::arrays : Container::vectors,
         .parts = system.parts ? system.parts->parts.size() : 0,
+        .small_steps = system.parts ? system.parts->small_steps : SmallSteps{},
         .is_lattice = system.sites.has_value(),
         .hessian = found.hessian,
     };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/pipeline/split.hpp"
 
+#include <fmt/format.h>
+
 #include <variant>
 
 #include "generator/lower/orbit_coordinates.hpp"
@@ -8,6 +10,19 @@
 #include "generator/pipeline/refusals.hpp"
 
 namespace hvi::gen {
+
+namespace {
+
+/// Throws InputError where fast parts take small steps, and the splitting is not made for that.
+void check_small_steps(const WrittenOutScene& scene, const Method& method) {
+    const bool are_there = scene.split && scene.split->small_steps.exist();
+    if (!are_there || method.splitting.empty() || method.splitting == "strang") return;
+    throw InputError(
+        fmt::format("{} is for flows that are exact, and small steps are not", method.splitting),
+        method.place, "take strang, of which --compose makes higher orders");
+}
+
+}  // namespace
 
 System in_parts(const LoweredScene& scene, const Method& method, const StepperWishes& wishes) {
     check_splitting(scene.system, method, wishes, scene.place());
@@ -20,6 +35,7 @@ System in_parts(const LoweredScene& scene, const Method& method, const StepperWi
     const auto* choice = std::get_if<SplitChoice>(&scene.scene.split);
     if (choice != nullptr && is_of_orbits(*choice))
         return with_orbits(scene.system, *choice, scene.place());
+    check_small_steps(*scene.written, method);
     return with_parts(scene.system, *scene.written);
 }
 

@@ -145,18 +145,16 @@ std::vector<std::string> facts_of_scaled_time(const System& system) {
 std::vector<std::string> costs_of_flows(const System& system, const FlowStep& form) {
     std::vector<std::string> result{"no unknowns: nothing is solved for"};
     const std::vector<HamiltonianPart>& parts = system.parts->parts;
+    const std::vector<std::size_t> counts = form.counts();
     for (std::size_t k = 0; k < parts.size(); ++k) {
         std::vector<Scaled> changes;
         const HamiltonianPart& part = parts[k];
         for (const Moved& moved : part.usual ? part.usual->moved : part.moved) {
             changes.push_back(moved.change);
         }
-        const auto count =
-            std::count_if(form.moves.begin(), form.moves.end(),
-                          [&](const FlowStep::Move& move) { return move.part == k; });
         result.push_back(fmt::format("flow of {} = {}, {}, {} in a step: {}", parts[k].name,
                                      to_text(parts[k].expression), part.flow,
-                                     count == 1 ? "once" : fmt::format("{} times", count),
+                                     counts[k] == 1 ? "once" : fmt::format("{} times", counts[k]),
                                      text(kernel(system.graph, std::move(changes)).counts)));
     }
     return result;

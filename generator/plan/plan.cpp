@@ -370,7 +370,7 @@ Step planned_as_flows(const Tableau& tableau, const OneStepMethod& method,
     set_places(step);
     set_blocks(step);
     step.decisions.resize(decided);
-    set_flows(step, system.parts, stages.b);
+    set_flows(step, system, stages.b);
     return completed(std::move(step), system);
 }
 

@@ -13,6 +13,7 @@
 
 #include "generator/expr/event_direction.hpp"
 #include "generator/expr/side.hpp"
+#include "generator/expr/small_steps.hpp"
 #include "generator/read/method.hpp"
 #include "generator/read/own_functions.hpp"
 #include "generator/read/time_scale.hpp"
@@ -126,8 +127,9 @@ enum class SplitChoice {
 
 /// The section [split]: parts of H whose sum it is.
 struct IndexedSplit {
-    std::vector<NamedIndexed> parts;  ///< in the order of the file
+    std::vector<NamedIndexed> parts;  ///< in the order of the file, fast ones before the others
     Place place;                      ///< the place of the section
+    SmallSteps small_steps = {};
 };
 
 /// Parts for splittings; without a word of the user they are T(p) and U(q) where H is their sum,

@@ -388,7 +388,9 @@ SplitOfScene SceneReader::split() const {
     check_absent("lagrangian", "split", "stands beside", "parts are of a Hamiltonian");
     if (table->contains("coordinates")) return orbit_coordinates(*table);
     IndexedSplit split{{}, file_.place(*table)};
+    const toml::node* small_steps = table->get("small_steps");
     for (const auto& [key, node] : in_order(*table)) {
+        if (node == small_steps) continue;
         const std::string name(key->str());
         check_parameter_name(name, file_.place(key->source()), "a part");
         split.parts.push_back(named(name, *node));
@@ -396,6 +398,7 @@ SplitOfScene SceneReader::split() const {
     if (split.parts.empty() || split.parts.size() > most_parts)
         throw InputError(fmt::format("a splitting has from 1 to {} parts", most_parts), split.place,
                          "write parts of H, as A = \"p^2/2\" and B = \"-cos(q)\"");
+    if (small_steps != nullptr) read_small_steps(*small_steps, split);
     return split;
 }
 

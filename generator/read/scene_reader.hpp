@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,7 +14,8 @@
 
 namespace hvi::gen {
 
-/// Reads one file; its events and [time] are in scene_events.cpp, the rest is in scene_file.cpp.
+/// Reads one file; its events and [time] are in scene_events.cpp, small steps of
+/// [split] in small_steps.cpp, and the rest in scene_file.cpp.
 class SceneReader {
 public:
     explicit SceneReader(const Source& source) : source_(source), file_(source) {}
@@ -52,6 +54,9 @@ private:
     [[nodiscard]] const toml::node& value_of_invariant(const toml::table& table) const;
     [[nodiscard]] SplitOfScene split() const;
     [[nodiscard]] SplitChoice orbit_coordinates(const toml::table& split) const;
+    void read_small_steps(const toml::node& node, IndexedSplit& split) const;
+    [[nodiscard]] std::set<std::string> fast_parts(const toml::node& node,
+                                                   const IndexedSplit& split) const;
     [[nodiscard]] std::vector<IndexedField> fields() const;
     [[nodiscard]] ValueTable values(const toml::table& table) const;
     [[nodiscard]] std::vector<IndexedEvent> events() const;

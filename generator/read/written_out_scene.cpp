@@ -82,7 +82,7 @@ std::vector<NamedExpression> SceneUnrolling::invariants() {
 }
 
 SceneSplit SceneUnrolling::split(const IndexedSplit& written) {
-    SceneSplit split{{}, written.place};
+    SceneSplit split{{}, written.place, written.small_steps};
     for (const NamedIndexed& part : written.parts) {
         split.parts.push_back(words_.expression(part.name, part.expression, part_rules));
     }

@@ -55,6 +55,7 @@ struct SceneScale {
 struct SceneSplit {
     std::vector<NamedExpression> parts;
     Place place;
+    SmallSteps small_steps = {};
 };
 
 /// A scene without indices, with its words checked: every symbol is a variable, a parameter, pi, e,

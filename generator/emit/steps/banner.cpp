@@ -38,10 +38,14 @@ constexpr std::string_view paper =
 std::string numbers_of_flows(const FlowStep& form) {
     Writer writer(0);
     writer.comment("The flows of a step, over these fractions of h, exactly:").line("//");
-    for (const auto& [part, fraction] : form.moves) {
-        writer.comment(
-            fmt::format("part {}: {}", part + 1, exact_text(form.fractions[part][fraction])),
-            "//     ", 4);
+    for (const auto& [moves, times] : form.rounds) {
+        const bool is_repeated = times > 1;
+        if (is_repeated) { writer.comment(fmt::format("{} times:", times), "//     "); }
+        for (const auto& [part, fraction] : moves) {
+            writer.comment(
+                fmt::format("part {}: {}", part + 1, exact_text(form.fractions[part][fraction])),
+                is_repeated ? "//         " : "//     ", 4);
+        }
     }
     return writer.str();
 }

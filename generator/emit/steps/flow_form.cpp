@@ -45,8 +45,13 @@ std::string members_text(const FlowStep& form) {
 
 std::string moves_text(const FlowStep& form) {
     Writer writer(2);
-    for (const auto& [part, fraction] : form.moves) {
-        writer.line("flows_{}_[{}](path);", part + 1, fraction);
+    for (const auto& [moves, times] : form.rounds) {
+        const bool is_repeated = times > 1;
+        if (is_repeated) { writer.open("for (int k = 0; k < {}; ++k) {{", times); }
+        for (const auto& [part, fraction] : moves) {
+            writer.line("flows_{}_[{}](path);", part + 1, fraction);
+        }
+        if (is_repeated) { writer.close(); }
     }
     return writer.str();
 }

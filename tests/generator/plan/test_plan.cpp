@@ -386,7 +386,8 @@ TEST_CASE("a splitting of three parts takes their flows in turn, and those in a 
     REQUIRE(form != nullptr);
     CHECK(step.is_explicit());
     std::vector<std::size_t> parts;
-    for (const FlowStep::Move& move : form->moves) { parts.push_back(move.part); }
+    REQUIRE(form->rounds.size() == 1);
+    for (const FlowStep::Move& move : form->rounds[0].moves) { parts.push_back(move.part); }
     CHECK(parts == Indices{0, 1, 2, 1, 0});
     REQUIRE(form->fractions.size() == 3);
     CHECK(form->fractions[0].size() == 1);
