@@ -69,8 +69,9 @@ double error(const Changes<Number>& found, const Changes<Widest>& exact,
              const Changes<double>& condition) {
     double largest = 0;
     for (std::size_t k = 0; k < 4; ++k) {
-        const auto distance = static_cast<double>(
-            hvi::detail::abs(static_cast<Widest>(found[k]) - exact[k]) / epsilon<Number>);
+        const auto distance =
+            static_cast<double>(hvi::detail::abs(static_cast<Widest>(found[k]) - exact[k]) /
+                                static_cast<Widest>(epsilon<Number>));
         const auto size = static_cast<double>(hvi::detail::abs(exact[k])) + condition[k];
         const double units = distance == 0 ? 0 : distance / size;
         largest = units <= largest ? largest : units;  // NOTE: NaN stays
@@ -178,13 +179,13 @@ void move(std::array<Body, n>& bodies, const std::array<double, n>& mu, double t
 double inverse_axis(const Body& body, double mu) {
     Widest r2 = 0, v2 = 0;
     for (std::size_t k = 0; k < 3; ++k) {
-        const Widest q = static_cast<Widest>(body.q[k]) + body.rest_of_q[k];
-        const Widest v = static_cast<Widest>(body.v[k]) + body.rest_of_v[k];
+        const Widest q = Widest(body.q[k]) + Widest(body.rest_of_q[k]);
+        const Widest v = Widest(body.v[k]) + Widest(body.rest_of_v[k]);
         r2 += q * q;
         v2 += v * v;
     }
     // NOTE: less 1, which the axes are near to, so that digits are left.
-    return static_cast<double>(2 / hvi::math::sqrt(r2) - v2 / mu - 1);
+    return static_cast<double>(2 / hvi::math::sqrt(r2) - v2 / Widest(mu) - 1);
 }
 
 /// Returns a body on an orbit of eccentricity e about mu = 1, with the axis 1.
@@ -354,7 +355,7 @@ TEST_CASE("a step and one back end where they began") {
 TEST_CASE("units of length and time that are powers of 2 change no bit") {
     Shuffled any;
     for (const auto& [length, time] :
-         {std::array{480, 300}, {-480, -300}, {400, 500}, {-300, 150}}) {
+         {std::array{480, 300}, {-480, -300}, {400, 500}, {-300, -100}}) {
         for (const Orbit<double>& of : {ellipse(any, 0.3, 0.04), ellipse(any, 0.97, 3.3),
                                         open_orbit(any, 2, 1, 5), open_orbit(any, 2, -1, 5)}) {
             const Changes<double> near = changes(of);
