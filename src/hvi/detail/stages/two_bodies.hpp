@@ -252,8 +252,11 @@ struct PartOfChanges {
 /// Returns the changes from the beginning of an orbit to the place of the time.
 ///
 /// NOTE: the rest moves G_k and r by the functions g_k of the rest, not s, which would be rounded.
-/// On a circle G_k and r are the same in each step, and so would be the errors of rounding them:
-/// they are rounded with mu only, and what rounding cuts off from r is taken from the numerator.
+/// It is added to what G_k have beyond their first terms. Sums with G_k themselves cut off the
+/// smallest rests, which are errors of the series and have one sign, and the energy drifted (e =
+/// 0.5, P/20: by 1e-18 of it a step). On a circle G_k and r are the same in each step, and so would
+/// be the errors of rounding them: they are rounded with mu only, and what rounding cuts off from r
+/// is taken from the numerator.
 template <class Number, class Part>
 [[nodiscard, gnu::always_inline]] inline PartOfChanges<Part>
 changes_to(const UnitOrbit<Part>& orbit, const Place<Part>& at, const Part& unit) {
@@ -367,19 +370,18 @@ changes_one_by_one(UnitOrbit<Number> orbit, const TimeUnit<Number>& scale) {
 
 // ---- usual orbits, side by side ----
 
-/// Returns x with a third of its digits, so that its cube is exact.
+/// Returns x with a third of its digits, so that its square and its cube are exact.
 template <class Number, class Part>
 [[nodiscard, gnu::always_inline]] inline Part with_few_digits(const Part& x) {
-    constexpr Number factor = 1 / power_of_two<Number>(bits<Number> / 3 - bits<Number>) + 1;
-    const Part scaled = Part(factor) * x;
-    return scaled - (scaled - x);
+    // NOTE: the product is exact, so that it does not matter whether it is fused with the sums.
+    constexpr Number power = 1 / power_of_two<Number>(bits<Number> / 3 - bits<Number>);
+    const Part large = Part(power) * x;
+    return (large + x) - large;
 }
 
 /// Returns the changes of orbits, and sets `is_found` to where they are.
 ///
-/// NOTE: what is found stays, whatever the others need. Places have few digits, so that the rests
-/// are of any sign and far above round-off: sums would cut off smaller ones, which are errors of
-/// the series and have one sign, and the energy would drift (e = 0.5, P/20: by 1e-18 of it a step).
+/// NOTE: what is found stays, whatever the others need.
 template <class Number, class Part, class Mask>
 [[nodiscard, gnu::always_inline]] inline PartOfChanges<Part>
 usual_changes(const UnitOrbit<Part>& orbit, const TimeUnit<Number>& scale, Mask& is_found) {
