@@ -34,7 +34,10 @@ struct OrbitChanges {
     std::array<Number, n> f_less_1, g_less_time, f_rate, g_rate_less_1;
 };
 
-/// Unit of time: the power of 2 that a time is at most, with the sign of the time.
+namespace two_bodies {
+
+/// Unit of time: the power of 2 above a time, with the sign of the time. So neither numbers in this
+/// unit nor changes out of it are rounded, whatever the scales.
 template <class Number>
 struct TimeUnit {
     Number unit, time;  ///< the unit, and the time in this unit: from 1/2 to 1
@@ -57,8 +60,6 @@ struct UnitOrbit {
 };
 
 /// Returns the orbit of r2 = q.q, rv = q.v, v2 = v.v and mu. Where mu is 0 it is one that stays.
-///
-/// NOTE: the energy would drift where beta + zeta is not mu to the last bit.
 template <class Part>
 [[nodiscard, gnu::always_inline]] inline UnitOrbit<Part>
 unit_orbit(const Part& r2, const Part& rv, const Part& v2, const Part& mu, const Part& unit) {
@@ -70,8 +71,7 @@ unit_orbit(const Part& r2, const Part& rv, const Part& v2, const Part& mu, const
     const Part unit_mu = select(is_free, mu * r2, mu * inverse * tempo * tempo);
     const Part eta = select(is_free, mu * rv, rv * inverse * tempo);
     const Part speed2 = select(is_free, mu * v2, v2 * tempo * tempo);
-    const Part beta = unit_mu + (unit_mu - speed2);
-    return {unit_mu, eta, beta, unit_mu - beta};
+    return {unit_mu, eta, unit_mu + (unit_mu - speed2), speed2 - unit_mu};
 }
 
 // ---- Stumpff's functions ----
@@ -386,7 +386,7 @@ template <class Number, class Part, class Mask>
 [[nodiscard, gnu::always_inline]] inline PartOfChanges<Part>
 usual_changes(const UnitOrbit<Part>& orbit, const TimeUnit<Number>& scale, Mask& is_found) {
     constexpr int most = 6;
-    const Part time(scale.time), far(8);
+    const Part time(scale.time), far(8);  // nearly half a turn
     Part s = inverse_series<Number>(time, Part(Number(1) / 2) * orbit.eta,
                                     Part(Number(1) / 6) * orbit.zeta, orbit.beta);
     Mask is_usual = abs(orbit.beta * s * s) <= far;
@@ -460,6 +460,8 @@ template <std::size_t width, class Number, std::size_t n, class Part>
     set_part<width>(changes.g_rate_less_1, first, part.g_rate_less_1);
 }
 
+}  // namespace two_bodies
+
 /// Returns the changes along n orbits that do not depend on each other: q'' = -mu q/|q|^3, where
 /// r2 = q.q, rv = q.v and v2 = v.v.
 ///
@@ -476,22 +478,24 @@ template <class Number, std::size_t n>
 [[nodiscard]] OrbitChanges<Number, n>
 orbit_changes(const std::array<Number, n>& r2, const std::array<Number, n>& rv,
               const std::array<Number, n>& v2, const std::array<Number, n>& mu, Number time) {
-    constexpr std::size_t width = orbits_at_once<Number>(n);
+    namespace flow = two_bodies;
+    constexpr std::size_t width = flow::orbits_at_once<Number>(n);
     using Part = typename Register<Number, width>::Type;
     constexpr auto places = std::make_index_sequence<width>();
-    const TimeUnit<Number> scale(time);
+    const flow::TimeUnit<Number> scale(time);
     OrbitChanges<Number, n> changes;
     for (std::size_t first = 0; first < n; first += width) {
-        const UnitOrbit<Part> orbit = unit_orbit<Part>(
-            part_of<width>(r2, first, places), part_of<width>(rv, first, places),
-            part_of<width>(v2, first, places), part_of<width>(mu, first, places), Part(scale.unit));
+        const auto part = [&](const auto& all) { return flow::part_of<width>(all, first, places); };
+        const auto orbit =
+            flow::unit_orbit<Part>(part(r2), part(rv), part(v2), part(mu), Part(scale.unit));
         typename MaskOf<Part>::type is_found;
-        set_changes<width>(changes, first, usual_changes<Number>(orbit, scale, is_found));
+        const auto usual = flow::usual_changes<Number>(orbit, scale, is_found);
+        flow::set_changes<width>(changes, first, usual);
         if (all(is_found)) { continue; }
         for (std::size_t k = first; k < n && k < first + width; ++k) {
-            if (is_set(is_found, k - first)) { continue; }
-            const auto alone = unit_orbit<Number>(r2[k], rv[k], v2[k], mu[k], scale.unit);
-            set_changes<1>(changes, k, changes_one_by_one(alone, scale));
+            if (flow::is_set(is_found, k - first)) { continue; }
+            const auto alone = flow::unit_orbit<Number>(r2[k], rv[k], v2[k], mu[k], scale.unit);
+            flow::set_changes<1>(changes, k, flow::changes_one_by_one(alone, scale));
         }
     }
     return changes;
