@@ -252,11 +252,10 @@ struct PartOfChanges {
 /// Returns the changes from the beginning of an orbit to the place of the time.
 ///
 /// NOTE: the rest moves G_k and r by the functions g_k of the rest, not s, which would be rounded.
-/// It is added to what G_k have beyond their first terms. Sums with G_k themselves cut off the
-/// smallest rests, which are errors of the series and have one sign, and the energy drifted (e =
-/// 0.5, P/20: by 1e-18 of it a step). On a circle G_k and r are the same in each step, and so would
-/// be the errors of rounding them: they are rounded with mu only, and what rounding cuts off from r
-/// is taken from the numerator.
+/// It is added to what G_k have beyond their first terms: where it is added to G_k as rounded, the
+/// energy walks a quarter further. On a circle G_k and r are the same in each step, and so would be
+/// the errors of rounding them: they are rounded with mu only, and what rounding cuts off from r is
+/// taken from the numerator.
 template <class Number, class Part>
 [[nodiscard, gnu::always_inline]] inline PartOfChanges<Part>
 changes_to(const UnitOrbit<Part>& orbit, const Place<Part>& at, const Part& unit) {
@@ -298,11 +297,11 @@ template <class Number>
 /// Returns the time that whole periods take, the nearest to a time; 0 where there is no period.
 template <class Number>
 [[nodiscard]] Number time_of_periods(const UnitOrbit<Number>& orbit, Number time) {
-    if (!(orbit.beta > 0)) { return 0; }
     // NOTE: 2 pi in doubles, of which wider numbers take three.
     constexpr Number two_pi =
         static_cast<Number>(6.283185307179586) +
         (static_cast<Number>(2.4492935982947064e-16) + static_cast<Number>(-5.989539619436679e-33));
+    // NOTE: infinite or NaN where there is none.
     const Number period = two_pi * orbit.mu / (orbit.beta * math::sqrt(orbit.beta));
     return is_finite(period) ? nearest_integer(time / period) * period : Number(0);
 }
@@ -381,7 +380,8 @@ template <class Number, class Part>
 
 /// Returns the changes of orbits, and sets `is_found` to where they are.
 ///
-/// NOTE: what is found stays, whatever the others need.
+/// NOTE: what is found stays, whatever the others need. Places have few digits: where their squares
+/// and cubes are rounded, the energy drifts (e = 0.6, P/20: by 3e-19 of it a step).
 template <class Number, class Part, class Mask>
 [[nodiscard, gnu::always_inline]] inline PartOfChanges<Part>
 usual_changes(const UnitOrbit<Part>& orbit, const TimeUnit<Number>& scale, Mask& is_found) {
