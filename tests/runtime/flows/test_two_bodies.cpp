@@ -321,6 +321,18 @@ TEST_CASE("what is not finite makes all changes NaN") {
     }
 }
 
+TEST_CASE("a fast body that falls straight into a light one gets away") {
+    // NOTE: whether it turns back or goes past is round-off.
+    for (const double mu : {1e-3, -1e-3, 1e-8, -1e-8, 1e-10, -1e-10, 1e-14, 1e-20}) {
+        for (const double time : {3.0, 1e3, 1e8}) {
+            const Changes<double> of = changes<double>({1, -1, 1, mu, time});
+            const double q = 1 + of[0] - (time + of[1]);
+            CAPTURE(mu, time, q);
+            CHECK(std::abs(std::abs(q) - (time - 1)) <= 0.1 * time);
+        }
+    }
+}
+
 TEST_CASE("the way back is the mirrored one, to the bit") {
     Shuffled any;
     for (const double periods : {0.05, 0.3, 2.2}) {

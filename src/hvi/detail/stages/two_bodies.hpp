@@ -314,6 +314,12 @@ template <class Number>
            (at.r + math::sqrt(abs(16 * at.r * at.r + 20 * at.time_left * at.r_rate)));
 }
 
+/// Returns whether a place is before that of the time. Places where G_k overflow are beyond.
+template <class Number>
+[[nodiscard]] bool is_before(const Place<Number>& at) {
+    return at.time_left > 0 && is_finite(at.time_left);
+}
+
 /// Returns the place of a time >= 0. Time grows with s, so that halving an interval gets there
 /// where Laguerre's steps do not.
 template <class Number>
@@ -322,18 +328,17 @@ template <class Number>
     Number low = 0, high = time;
     Place<Number> at = place_at<Number>(orbit, high, time);
     int k = 0;
-    for (; k < most && at.time_left > 0 && !is_near<Number>(at); ++k) {
+    for (; k < most && is_before(at) && !is_near<Number>(at); ++k) {
         low = high;
         high += high;
         at = place_at<Number>(orbit, high, time);
     }
     Number step = high - low;
     for (; k < most && !is_near<Number>(at); ++k) {
-        (at.time_left > 0 ? low : high) = at.s;
+        (is_before(at) ? low : high) = at.s;
         const Number last = step;
         step = laguerre_step(at);
         Number next = at.s + step;
-        // NOTE: G_k that overflow are NaN in sums.
         if (!(low < next && next < high && abs(step) <= abs(last) / 2)) {
             step = (high - low) / 2;
             next = low + step;
@@ -343,6 +348,19 @@ template <class Number>
     }
     if (!is_near<Number>(at)) { at.rest = 0; }
     return at;
+}
+
+/// Returns an orbit that passes the other body, where rounding has made it end there: eta differs
+/// by round-off. On a hyperbola r is a sum of exp(-k s) and exp(k s), and where a fast body falls
+/// nearly straight into the other one the factor of the second is round-off, of any sign.
+template <class Number>
+[[nodiscard]] UnitOrbit<Number> passing(UnitOrbit<Number> orbit) {
+    if (orbit.beta < 0) {
+        constexpr Number most = 1 - 64 * epsilon<Number>;
+        const Number lowest = -most * orbit.zeta / math::sqrt(-orbit.beta);
+        orbit.eta = orbit.eta < lowest ? lowest : orbit.eta;
+    }
+    return orbit;
 }
 
 /// Returns the changes of any orbit, after whole periods have been left out; NaN where numbers are
@@ -362,6 +380,7 @@ changes_one_by_one(UnitOrbit<Number> orbit, const TimeUnit<Number>& scale) {
         time = -time;
         unit = -unit;
     }
+    orbit = passing(orbit);
     PartOfChanges<Number> changes = changes_to<Number>(orbit, place_between(orbit, time), unit);
     changes.g_less_time -= left_out * scale.unit;
     return changes;
