@@ -130,9 +130,9 @@ private:
 #if __has_builtin(__builtin_shufflevector)
         if constexpr (sizeof(Bits) == 64) {
             typedef long long Words __attribute__((vector_size(64)));
-            const Words all = Words(bits);
-            const auto both = __builtin_shufflevector(all, all, 0, 1, 2, 3) |
-                              __builtin_shufflevector(all, all, 4, 5, 6, 7);
+            const Words words = Words(bits);
+            const auto both = __builtin_shufflevector(words, words, 0, 1, 2, 3) |
+                              __builtin_shufflevector(words, words, 4, 5, 6, 7);
             return __builtin_ia32_ptestz256(both, both) == 0;
         }
 #endif

@@ -34,7 +34,10 @@ struct OrbitChanges {
     std::array<Number, n> f_less_1, g_less_time, f_rate, g_rate_less_1;
 };
 
-/// Unit of time: the power of 2 that a time is at most, with the sign of the time.
+namespace two_bodies {
+
+/// Unit of time: the power of 2 above a time, with the sign of the time. So neither numbers in this
+/// unit nor changes out of it are rounded, whatever the scales.
 template <class Number>
 struct TimeUnit {
     Number unit, time;  ///< the unit, and the time in this unit: from 1/2 to 1
@@ -57,8 +60,6 @@ struct UnitOrbit {
 };
 
 /// Returns the orbit of r2 = q.q, rv = q.v, v2 = v.v and mu. Where mu is 0 it is one that stays.
-///
-/// NOTE: the energy would drift where beta + zeta is not mu to the last bit.
 template <class Part>
 [[nodiscard, gnu::always_inline]] inline UnitOrbit<Part>
 unit_orbit(const Part& r2, const Part& rv, const Part& v2, const Part& mu, const Part& unit) {
@@ -70,8 +71,7 @@ unit_orbit(const Part& r2, const Part& rv, const Part& v2, const Part& mu, const
     const Part unit_mu = select(is_free, mu * r2, mu * inverse * tempo * tempo);
     const Part eta = select(is_free, mu * rv, rv * inverse * tempo);
     const Part speed2 = select(is_free, mu * v2, v2 * tempo * tempo);
-    const Part beta = unit_mu + (unit_mu - speed2);
-    return {unit_mu, eta, beta, unit_mu - beta};
+    return {unit_mu, eta, unit_mu + (unit_mu - speed2), speed2 - unit_mu};
 }
 
 // ---- Stumpff's functions ----
@@ -252,8 +252,10 @@ struct PartOfChanges {
 /// Returns the changes from the beginning of an orbit to the place of the time.
 ///
 /// NOTE: the rest moves G_k and r by the functions g_k of the rest, not s, which would be rounded.
-/// On a circle G_k and r are the same in each step, and so would be the errors of rounding them:
-/// they are rounded with mu only, and what rounding cuts off from r is taken from the numerator.
+/// It is added to what G_k have beyond their first terms: where it is added to G_k as rounded, the
+/// energy walks a quarter further. On a circle G_k and r are the same in each step, and so would be
+/// the errors of rounding them: they are rounded with mu only, and what rounding cuts off from r is
+/// taken from the numerator.
 template <class Number, class Part>
 [[nodiscard, gnu::always_inline]] inline PartOfChanges<Part>
 changes_to(const UnitOrbit<Part>& orbit, const Place<Part>& at, const Part& unit) {
@@ -295,11 +297,11 @@ template <class Number>
 /// Returns the time that whole periods take, the nearest to a time; 0 where there is no period.
 template <class Number>
 [[nodiscard]] Number time_of_periods(const UnitOrbit<Number>& orbit, Number time) {
-    if (!(orbit.beta > 0)) { return 0; }
     // NOTE: 2 pi in doubles, of which wider numbers take three.
     constexpr Number two_pi =
         static_cast<Number>(6.283185307179586) +
         (static_cast<Number>(2.4492935982947064e-16) + static_cast<Number>(-5.989539619436679e-33));
+    // NOTE: infinite or NaN where there is none.
     const Number period = two_pi * orbit.mu / (orbit.beta * math::sqrt(orbit.beta));
     return is_finite(period) ? nearest_integer(time / period) * period : Number(0);
 }
@@ -312,6 +314,12 @@ template <class Number>
            (at.r + math::sqrt(abs(16 * at.r * at.r + 20 * at.time_left * at.r_rate)));
 }
 
+/// Returns whether a place is before that of the time. Places where G_k overflow are beyond.
+template <class Number>
+[[nodiscard]] bool is_before(const Place<Number>& at) {
+    return at.time_left > 0 && is_finite(at.time_left);
+}
+
 /// Returns the place of a time >= 0. Time grows with s, so that halving an interval gets there
 /// where Laguerre's steps do not.
 template <class Number>
@@ -320,18 +328,17 @@ template <class Number>
     Number low = 0, high = time;
     Place<Number> at = place_at<Number>(orbit, high, time);
     int k = 0;
-    for (; k < most && at.time_left > 0 && !is_near<Number>(at); ++k) {
+    for (; k < most && is_before(at) && !is_near<Number>(at); ++k) {
         low = high;
         high += high;
         at = place_at<Number>(orbit, high, time);
     }
     Number step = high - low;
     for (; k < most && !is_near<Number>(at); ++k) {
-        (at.time_left > 0 ? low : high) = at.s;
+        (is_before(at) ? low : high) = at.s;
         const Number last = step;
         step = laguerre_step(at);
         Number next = at.s + step;
-        // NOTE: G_k that overflow are NaN in sums.
         if (!(low < next && next < high && abs(step) <= abs(last) / 2)) {
             step = (high - low) / 2;
             next = low + step;
@@ -341,6 +348,19 @@ template <class Number>
     }
     if (!is_near<Number>(at)) { at.rest = 0; }
     return at;
+}
+
+/// Returns an orbit that passes the other body, where rounding has made it end there: eta differs
+/// by round-off. On a hyperbola r is a sum of exp(-k s) and exp(k s), and where a fast body falls
+/// nearly straight into the other one the factor of the second is round-off, of any sign.
+template <class Number>
+[[nodiscard]] UnitOrbit<Number> passing(UnitOrbit<Number> orbit) {
+    if (orbit.beta < 0) {
+        constexpr Number most = 1 - 64 * epsilon<Number>;
+        const Number lowest = -most * orbit.zeta / math::sqrt(-orbit.beta);
+        orbit.eta = orbit.eta < lowest ? lowest : orbit.eta;
+    }
+    return orbit;
 }
 
 /// Returns the changes of any orbit, after whole periods have been left out; NaN where numbers are
@@ -360,6 +380,7 @@ changes_one_by_one(UnitOrbit<Number> orbit, const TimeUnit<Number>& scale) {
         time = -time;
         unit = -unit;
     }
+    orbit = passing(orbit);
     PartOfChanges<Number> changes = changes_to<Number>(orbit, place_between(orbit, time), unit);
     changes.g_less_time -= left_out * scale.unit;
     return changes;
@@ -367,24 +388,24 @@ changes_one_by_one(UnitOrbit<Number> orbit, const TimeUnit<Number>& scale) {
 
 // ---- usual orbits, side by side ----
 
-/// Returns x with a third of its digits, so that its cube is exact.
+/// Returns x with a third of its digits, so that its square and its cube are exact.
 template <class Number, class Part>
 [[nodiscard, gnu::always_inline]] inline Part with_few_digits(const Part& x) {
-    constexpr Number factor = 1 / power_of_two<Number>(bits<Number> / 3 - bits<Number>) + 1;
-    const Part scaled = Part(factor) * x;
-    return scaled - (scaled - x);
+    // NOTE: the product is exact, so that it does not matter whether it is fused with the sums.
+    constexpr Number power = 1 / power_of_two<Number>(bits<Number> / 3 - bits<Number>);
+    const Part large = Part(power) * x;
+    return (large + x) - large;
 }
 
 /// Returns the changes of orbits, and sets `is_found` to where they are.
 ///
-/// NOTE: what is found stays, whatever the others need. Places have few digits, so that the rests
-/// are of any sign and far above round-off: sums would cut off smaller ones, which are errors of
-/// the series and have one sign, and the energy would drift (e = 0.5, P/20: by 1e-18 of it a step).
+/// NOTE: what is found stays, whatever the others need. Places have few digits: where their squares
+/// and cubes are rounded, the energy drifts (e = 0.6, P/20: by 3e-19 of it a step).
 template <class Number, class Part, class Mask>
 [[nodiscard, gnu::always_inline]] inline PartOfChanges<Part>
 usual_changes(const UnitOrbit<Part>& orbit, const TimeUnit<Number>& scale, Mask& is_found) {
     constexpr int most = 6;
-    const Part time(scale.time), far(8);
+    const Part time(scale.time), far(8);  // nearly half a turn
     Part s = inverse_series<Number>(time, Part(Number(1) / 2) * orbit.eta,
                                     Part(Number(1) / 6) * orbit.zeta, orbit.beta);
     Mask is_usual = abs(orbit.beta * s * s) <= far;
@@ -458,6 +479,8 @@ template <std::size_t width, class Number, std::size_t n, class Part>
     set_part<width>(changes.g_rate_less_1, first, part.g_rate_less_1);
 }
 
+}  // namespace two_bodies
+
 /// Returns the changes along n orbits that do not depend on each other: q'' = -mu q/|q|^3, where
 /// r2 = q.q, rv = q.v and v2 = v.v.
 ///
@@ -474,22 +497,24 @@ template <class Number, std::size_t n>
 [[nodiscard]] OrbitChanges<Number, n>
 orbit_changes(const std::array<Number, n>& r2, const std::array<Number, n>& rv,
               const std::array<Number, n>& v2, const std::array<Number, n>& mu, Number time) {
-    constexpr std::size_t width = orbits_at_once<Number>(n);
+    namespace flow = two_bodies;
+    constexpr std::size_t width = flow::orbits_at_once<Number>(n);
     using Part = typename Register<Number, width>::Type;
     constexpr auto places = std::make_index_sequence<width>();
-    const TimeUnit<Number> scale(time);
+    const flow::TimeUnit<Number> scale(time);
     OrbitChanges<Number, n> changes;
     for (std::size_t first = 0; first < n; first += width) {
-        const UnitOrbit<Part> orbit = unit_orbit<Part>(
-            part_of<width>(r2, first, places), part_of<width>(rv, first, places),
-            part_of<width>(v2, first, places), part_of<width>(mu, first, places), Part(scale.unit));
+        const auto part = [&](const auto& all) { return flow::part_of<width>(all, first, places); };
+        const auto orbit =
+            flow::unit_orbit<Part>(part(r2), part(rv), part(v2), part(mu), Part(scale.unit));
         typename MaskOf<Part>::type is_found;
-        set_changes<width>(changes, first, usual_changes<Number>(orbit, scale, is_found));
+        const auto usual = flow::usual_changes<Number>(orbit, scale, is_found);
+        flow::set_changes<width>(changes, first, usual);
         if (all(is_found)) { continue; }
         for (std::size_t k = first; k < n && k < first + width; ++k) {
-            if (is_set(is_found, k - first)) { continue; }
-            const auto alone = unit_orbit<Number>(r2[k], rv[k], v2[k], mu[k], scale.unit);
-            set_changes<1>(changes, k, changes_one_by_one(alone, scale));
+            if (flow::is_set(is_found, k - first)) { continue; }
+            const auto alone = flow::unit_orbit<Number>(r2[k], rv[k], v2[k], mu[k], scale.unit);
+            flow::set_changes<1>(changes, k, flow::changes_one_by_one(alone, scale));
         }
     }
     return changes;
