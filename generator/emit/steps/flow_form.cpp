@@ -60,16 +60,21 @@ std::string flows_text(const System& system, std::string_view library) {
 /// Returns the headers of the runtime: copies, which need the standard library alone, but where
 /// bodies turn. `code`: all that calls functions.
 std::string support(const System& system, std::string_view code) {
-    const bool calls_math = code.find("hvi::math::") != std::string_view::npos;
+    const auto calls = [&](std::string_view name) {
+        return code.find(name) != std::string_view::npos;
+    };
+    const bool calls_math = calls("hvi::math::"), turns = calls("hvi::math::small_");
     if (rotations_of(system) > 0) {
         return std::string("#include <hvi/detail/groups/chart_space.hpp>\n") +
                (calls_math ? "#include <hvi/detail/numbers/more_math.hpp>\n" : "") +
+               (turns ? "#include <hvi/detail/numbers/small_turns.hpp>\n" : "") +
                "#include <hvi/detail/stages/flow_sums.hpp>\n#include <hvi/detail/stepper.hpp>\n\n";
     }
     std::vector<std::string> names{"state", "detail/numbers/scalar"};
     if (calls_math) {
         names.insert(names.end(), {"detail/numbers/math", "detail/numbers/more_math"});
     }
+    if (turns) { names.emplace_back("detail/numbers/small_turns"); }
     if (are_rounded(code)) { names.emplace_back("detail/coefficients/rounded"); }
     names.insert(names.end(), {"detail/stages/system", "detail/numbers/arithmetic",
                                "detail/numbers/compensated", "detail/stages/flow_sums"});
