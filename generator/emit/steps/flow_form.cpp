@@ -1,5 +1,11 @@
 // Headers of steps that are flows of parts of H.
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
 #include "generator/emit/steps/copies.hpp"
 #include "generator/emit/steps/header.hpp"
 #include "generator/emit/steps/system_part.hpp"
@@ -41,18 +47,76 @@ std::string members_text(const FlowStep& form) {
     return writer.str();
 }
 
+/// Moves that a step takes again and again: the same parts in the same order.
+struct Rounds {
+    std::size_t count;  ///< 0 where there are not two of them
+    std::size_t moves;  ///< in a round
+
+    [[nodiscard]] std::size_t end() const { return count * moves; }
+};
+
+Rounds rounds_of(const std::vector<FlowStep::Move>& moves) {
+    const auto same = [](const auto& a, const auto& b) { return a.part == b.part; };
+    for (std::size_t period = 1; 2 * period <= moves.size(); ++period) {
+        const auto shift = static_cast<std::ptrdiff_t>(period);
+        if (std::equal(moves.begin() + shift, moves.end(), moves.begin(), moves.end() - shift,
+                       same)) {
+            return {moves.size() / period, period};
+        }
+    }
+    return {0, 0};
+}
+
+/// Writes the flow of a move; `place` is that of its fraction.
+void write_move(Writer& writer, const FlowStep::Move& move, const std::string& place) {
+    writer.line("flows_{}_[{}](path);", move.part + 1, place);
+}
+
+/// Returns the flows in turn: rounds in a loop, and what follows them.
 std::string moves_text(const FlowStep& form) {
+    const auto& moves = form.moves;
+    const Rounds rounds = rounds_of(moves);
     Writer writer(2);
-    for (const auto& [part, fraction] : form.moves) {
-        writer.line("flows_{}_[{}](path);", part + 1, fraction);
+    if (rounds.count > 0) {
+        writer.open("static constexpr std::size_t rounds[{}][{}] = {{", rounds.count, rounds.moves);
+        for (std::size_t first = 0; first < rounds.end(); first += rounds.moves) {
+            std::vector<std::size_t> places;
+            for (std::size_t k = 0; k < rounds.moves; ++k) {
+                places.push_back(moves[first + k].fraction);
+            }
+            writer.line("{{{}}},", fmt::join(places, ", "));
+        }
+        writer.close("};").open("for (const auto& round : rounds) {{");
+        for (std::size_t k = 0; k < rounds.moves; ++k) {
+            write_move(writer, moves[k], fmt::format("round[{}]", k));
+        }
+        writer.close();
+    }
+    for (std::size_t k = rounds.end(); k < moves.size(); ++k) {
+        write_move(writer, moves[k], std::to_string(moves[k].fraction));
     }
     return writer.str();
 }
 
-std::string flows_text(const System& system, std::string_view library) {
+/// Returns whether flows are inlined: where the step's code moves few numbers. NOTE: what a flow
+/// has moved then stays in registers, and the next one waits for no memory: turns take a tenth of
+/// the time less.
+bool are_inlined(const System& system, const FlowStep& form) {
+    constexpr std::size_t most = 1000;
+    const Rounds rounds = rounds_of(form.moves);
+    std::size_t numbers = 0;
+    for (std::size_t k = 0; k < form.moves.size(); ++k) {
+        const bool is_written = k < rounds.moves || k >= rounds.end();
+        if (is_written) { numbers += system.parts->parts[form.moves[k].part].moved.size(); }
+    }
+    return numbers <= most;
+}
+
+std::string flows_text(const System& system, const FlowStep& form, std::string_view library) {
+    const bool inlined = are_inlined(system, form);
     std::string text;
     for (std::size_t k = 0; k < system.parts->parts.size(); ++k) {
-        text += (text.empty() ? "" : "\n\n") + flow_text(system, k, library);
+        text += (text.empty() ? "" : "\n\n") + flow_text(system, k, library, inlined);
     }
     return text;
 }
@@ -92,7 +156,7 @@ std::string emit_one(const OneStepMethod& method, const Step& step, const FlowSt
     };
     const SystemPart part = system_part(method, step, options);
     const std::string fractions = fractions_text(form);
-    const std::string flows = flows_text(system, library(options.wishes));
+    const std::string flows = flows_text(system, form, library(options.wishes));
     Holes holes = holes_of(part);
     holes.merge(Holes{{"support", support(system, fractions + flows + part.types + part.construct)},
                       {"state", part.state},

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/emit/system/flow_code.hpp"
 
+#include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "generator/emit/system/class_names.hpp"
@@ -12,11 +14,12 @@ namespace {
 /// Writes the class of the flow of one part.
 class FlowWriter {
 public:
-    FlowWriter(const System& system, std::size_t part, std::string_view library)
+    FlowWriter(const System& system, std::size_t part, std::string_view library, bool is_inlined)
         : system_(system),
           part_(system.parts->parts[part]),
           name_(fmt::format("Flow{}", part + 1)),
           library_(library),
+          inlined_(is_inlined ? "[[gnu::always_inline]] " : ""),
           names_(system, Constants::are_numbers) {
         names_.add_input(system.parts->duration, "time");
     }
@@ -25,11 +28,13 @@ public:
         // NOTE: the constructor comes last, as it computes values that the calls need.
         Writer calls(2);
         if (part_.usual) {
-            write_usual(calls, *part_.usual);
+            write_choice(calls, part_.usual->conditions);
             calls.blank();
-            write_call(calls, "void turn(Path& at) const {", part_.moved);
+            write_call(calls, inlined_ + "void usual(Path& at) const {", part_.usual->moved);
+            calls.blank();
+            write_call(calls, "[[gnu::noinline]] void any(Path& at) const {", part_.moved);
         } else {
-            write_call(calls, "void operator()(Path& at) const {", part_.moved);
+            write_call(calls, inlined_ + "void operator()(Path& at) const {", part_.moved);
         }
         Writer setup(2), data(2);
         names_.write_setup(setup, library_);
@@ -49,25 +54,22 @@ public:
     }
 
 private:
-    /// Writes the call for what is usual, which hands the rest to another one.
-    void write_usual(Writer& writer, const UsualFlow& usual) {
-        std::vector<Scaled> values = usual.conditions;
-        for (const Moved& moved : usual.moved) { values.push_back(moved.change); }
-        begin(writer, "void operator()(Path& at) const {");
-        std::vector<std::string> results = results_of(writer, std::move(values));
-        const auto conditions =
-            results.begin() + static_cast<std::ptrdiff_t>(usual.conditions.size());
+    /// Writes the call that chooses. NOTE: nothing else is computed before the choice, so that
+    /// compilers fuse products and sums of what follows.
+    void write_choice(Writer& writer, const std::vector<Scaled>& conditions) {
+        begin(writer, inlined_ + "void operator()(Path& at) const {");
         std::string all;
-        for (auto condition = results.begin(); condition != conditions; ++condition) {
-            all += fmt::format("{}{} >= 0", all.empty() ? "" : " && ", *condition);
+        for (const std::string& value : results_of(writer, conditions)) {
+            all += fmt::format("{}{} >= 0", all.empty() ? "" : " && ", value);
         }
-        writer.line("if (!({})) {{ return turn(at); }}", all);
-        results.erase(results.begin(), conditions);
-        move(writer, usual.moved, results);
-        writer.close();
+        writer.line("if (!({})) {{ return any(at); }}", all);
+        writer.line("usual(at);").close();
     }
 
-    void write_call(Writer& writer, std::string_view head, const std::vector<Moved>& moved) {
+    void write_call(Writer& writer, std::string_view head, std::vector<Moved> moved) {
+        // NOTE: angles of later turns wait for angular momenta, and for no rotation.
+        std::stable_partition(moved.begin(), moved.end(),
+                              [](const Moved& each) { return each.is_conjugate; });
         std::vector<Scaled> values;
         for (const Moved& each : moved) { values.push_back(each.change); }
         begin(writer, head);
@@ -104,13 +106,15 @@ private:
     const HamiltonianPart& part_;
     std::string name_;
     std::string_view library_;
+    std::string inlined_;
     ClassNames names_;
 };
 
 }  // namespace
 
-std::string flow_text(const System& system, std::size_t part, std::string_view library) {
-    return FlowWriter(system, part, library).text();
+std::string flow_text(const System& system, std::size_t part, std::string_view library,
+                      bool is_inlined) {
+    return FlowWriter(system, part, library, is_inlined).text();
 }
 
 }  // namespace hvi::gen
