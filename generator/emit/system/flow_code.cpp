@@ -19,7 +19,8 @@ public:
           part_(system.parts->parts[part]),
           name_(fmt::format("Flow{}", part + 1)),
           library_(library),
-          inlined_(is_inlined ? "[[gnu::always_inline]] " : ""),
+          head_(fmt::format("[[gnu::{}]] void operator()(Path& at) const {{",
+                            is_inlined ? "always_inline" : "noinline")),
           names_(system, Constants::are_numbers) {
         names_.add_input(system.parts->duration, "time");
     }
@@ -30,11 +31,12 @@ public:
         if (part_.usual) {
             write_choice(calls, part_.usual->conditions);
             calls.blank();
-            write_call(calls, inlined_ + "void usual(Path& at) const {", part_.usual->moved);
+            write_call(calls, "[[gnu::always_inline]] void usual(Path& at) const {",
+                       part_.usual->moved);
             calls.blank();
             write_call(calls, "[[gnu::noinline]] void any(Path& at) const {", part_.moved);
         } else {
-            write_call(calls, inlined_ + "void operator()(Path& at) const {", part_.moved);
+            write_call(calls, head_, part_.moved);
         }
         Writer setup(2), data(2);
         names_.write_setup(setup, library_);
@@ -57,7 +59,7 @@ private:
     /// Writes the call that chooses. NOTE: nothing else is computed before the choice, so that
     /// compilers fuse products and sums of what follows.
     void write_choice(Writer& writer, const std::vector<Scaled>& conditions) {
-        begin(writer, inlined_ + "void operator()(Path& at) const {");
+        begin(writer, head_);
         std::string all;
         for (const std::string& value : results_of(writer, conditions)) {
             all += fmt::format("{}{} >= 0", all.empty() ? "" : " && ", value);
@@ -106,7 +108,7 @@ private:
     const HamiltonianPart& part_;
     std::string name_;
     std::string_view library_;
-    std::string inlined_;
+    std::string head_;  ///< of the call
     ClassNames names_;
 };
 
