@@ -30,10 +30,10 @@ public:
         Writer calls(2);
         if (part_.usual) {
             write_choice(calls, part_.usual->conditions);
-            calls.blank();
+            calls.blank().line("// For angles that are small.");
             write_call(calls, "[[gnu::always_inline]] void usual(Path& at) const {",
                        part_.usual->moved);
-            calls.blank();
+            calls.blank().line("// For any angles.");
             write_call(calls, "[[gnu::noinline]] void any(Path& at) const {", part_.moved);
         } else {
             write_call(calls, head_, part_.moved);
