@@ -116,7 +116,7 @@ std::vector<std::string> row(const Function& function) {
 std::string function_table() {
     Rows rows, others;
     for (const Function& function : functions()) {
-        if (is_of_lists(function.name) || is_if(function.name)) continue;
+        if (is_of_lists(function.name) || is_hidden(function.name)) continue;
         const bool is_analytic_of_one =
             function.nature == Nature::analytic && function.arguments == 1;
         std::vector<std::string> columns = row(function);

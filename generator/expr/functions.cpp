@@ -17,6 +17,14 @@ constexpr Function of_two(std::string_view name, std::string_view latex, Nature 
     return result;
 }
 
+constexpr Function of_small_turns(std::string_view name, std::string_view derivative) {
+    Function result{name, 1, ""};
+    result.parity = Parity::odd;
+    result.runtime = Runtime::small_turns;
+    result.derivative = derivative;
+    return result;
+}
+
 constexpr std::array table{
 #define HVI_FUNCTION(name, latex, domain, cuts, parity, runtime, derivative)                       \
     Function{#name,                                                                                \
@@ -44,6 +52,8 @@ constexpr std::array table{
 #include "generator/expr/functions.def"
     Function{"if<", 4, "", Nature::choice},
     Function{"if<=", 4, "", Nature::choice},
+    of_small_turns("tan<", "1+y^2"),
+    of_small_turns("sin2<", "2*cos(2*x)"),
     Function{"roots", 1, "\\operatorname{roots}", Nature::list},
     Function{"bspline", 2, "\\operatorname{bspline}", Nature::list},
 };
@@ -53,6 +63,8 @@ constexpr std::array table{
 std::span<const Function> functions() { return table; }
 
 bool is_if(std::string_view name) { return name == "if<" || name == "if<="; }
+
+bool is_hidden(std::string_view name) { return name.find('<') != std::string_view::npos; }
 
 bool is_of_lists(std::string_view name) {
     const Function* const function = find_function(name);

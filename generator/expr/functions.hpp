@@ -17,7 +17,7 @@ enum class Cuts { nowhere, not_positive, real_up_to_one, real_beyond_one, imagin
 enum class Parity { neither, even, odd };
 
 /// The header of src/hvi/detail/numbers that has a function.
-enum class Runtime { math, more_math };
+enum class Runtime { math, more_math, small_turns };
 
 /// Kinds of functions.
 enum class Nature {
@@ -28,7 +28,8 @@ enum class Nature {
 };
 
 /// A function with its name in texts; see functions.def. A choice `if(a < b, x, y)` is the function
-/// `if<` of a, b, x and y; one between a <= b and b < a is `if<=`.
+/// `if<` of a, b, x and y; one between a <= b and b < a is `if<=`. Shears of turns by an angle 2x
+/// are `tan<` and `sin2<`, which are tan x and sin 2x for |x| <= 1/2.
 struct Function {
     std::string_view name;
     std::size_t arguments;
@@ -49,6 +50,9 @@ struct Function {
 
 /// Whether the name is `if<` or `if<=`.
 [[nodiscard]] bool is_if(std::string_view name);
+
+/// Whether no text can call a function by its name.
+[[nodiscard]] bool is_hidden(std::string_view name);
 
 /// Returns all functions, the common ones first: the order in which messages list them.
 [[nodiscard]] std::span<const Function> functions();

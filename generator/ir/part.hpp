@@ -27,8 +27,8 @@ struct RuntimeValues {
     std::vector<Node> results;  ///< inputs of the graph
 };
 
-/// Changes where some values are not negative: where rotations turn by a quarter at most, they need
-/// no half turn.
+/// Changes where some values are not negative: rotations by small angles need no half turn, and
+/// have faster functions.
 struct UsualFlow {
     std::vector<Scaled> conditions;
     std::vector<Moved> moved;

@@ -32,11 +32,11 @@ struct Freedom {
 /// A function of the variables, and its slopes by degrees of freedom and by conjugates.
 class FunctionWithFlow {
 public:
-    FunctionWithFlow(System& system, const Scaled& function, Node duration, TurnSigns& signs)
+    FunctionWithFlow(System& system, const Scaled& function, Node duration, TurnAngles& angles)
         : system_(system),
           graph_(system.graph),
           function_(function),
-          signs_(signs),
+          angles_(angles),
           tau_{{1, 1}, duration},
           q_(coordinate_nodes(system)),
           p_(conjugate_nodes(system)),
@@ -152,8 +152,8 @@ private:
 
     // ---- the kinds of flows ----
 
-    /// Returns a value times the time. NOTE: factors that do not vary go with the time, and are one
-    /// value that is computed when that changes.
+    /// Returns a value times the time. NOTE: factors that do not vary, numbers among them, go with
+    /// the time, and are one value that is computed when that changes.
     [[nodiscard]] Scaled over_time(const Scaled& value) {
         Scaled fixed = graph_.times(value.factor, tau_), rest{{1, 1}, value.node};
         const Computation computation = graph_.at(value.node);
@@ -165,7 +165,7 @@ private:
                 rest = input(varies_at(a) ? a : b);
             }
         }
-        return graph_.product(fixed, rest);
+        return graph_.product(graph_.settled(fixed), rest);
     }
 
     /// Adds the changes of degrees of freedom that couple. Returns the kind; empty where no flow is
@@ -254,7 +254,8 @@ private:
         std::vector<Node> others = variables_of(body);
         std::erase(others, p_[body.momenta[k]]);
         if (depend({speed}, others)) return false;
-        const Shears shears = rotation(graph_, signs_, over_time(speed));
+        const Scaled half_angle = over_time(graph_.times({1, 2}, speed));
+        const Shears shears = rotation(graph_, angles_, half_angle);
         const std::size_t L_i = body.momenta[i], L_j = body.momenta[j];
         const PlaneChange of_L = sheared(graph_, input(p_[L_i]), input(p_[L_j]), shears);
         add(true, L_i, of_L.x);
@@ -289,7 +290,7 @@ private:
         slope_by_p_ = by_p_[k];
         const auto form = form_at_origin(q_[k], p_[k]);
         if (!form || !is_gradient_of(*form, q_[k], p_[k])) return false;
-        return add_oscillation(k, *form, tau_);
+        return add_oscillation(k, *form, graph_.times({1, 2}, tau_));
     }
 
     [[nodiscard]] bool is_zero(const Scaled& value) {
@@ -313,14 +314,14 @@ private:
         return is_zero(difference(slope_by_q_, by_q)) && is_zero(difference(slope_by_p_, by_p));
     }
 
-    /// Adds the flow of a form over a time. NOTE: where b = 0 it is that of a p^2/2 + b q^2/2 - c q
-    /// p, with q in the place of p and -p in that of q.
-    bool add_oscillation(std::size_t k, const PlaneForm& form, const Scaled& time) {
+    /// Adds the flow of a form over a time, of which the half is given. NOTE: where b = 0 it is
+    /// that of a p^2/2 + b q^2/2 - c q p, with q in the place of p and -p in that of q.
+    bool add_oscillation(std::size_t k, const PlaneForm& form, const Scaled& half_time) {
         const bool is_exchanged = form.b.is_zero();
         if (is_exchanged && form.a.is_zero()) return false;
         PlaneForm upright = form;
         if (is_exchanged) upright = {form.b, form.a, graph_.times({-1, 1}, form.c)};
-        Shears shears = oscillation(graph_, signs_, upright, time);
+        Shears shears = oscillation(graph_, angles_, upright, half_time);
         const Scaled q = input(q_[k]), p = input(p_[k]);
         if (!is_exchanged) {
             const PlaneChange change = sheared(graph_, p, q, shears);
@@ -348,7 +349,9 @@ private:
                 difference(graph_.product(slope_by_q_, by_p), graph_.product(slope_by_p_, by_q));
             if (form.b.is_zero() || !is_zero(bracket)) continue;
             const auto speed = speed_of(form, q, p);
-            if (speed && add_oscillation(k, form, over_time(*speed))) return true;
+            if (!speed) continue;
+            const Scaled half_time = over_time(graph_.times({1, 2}, *speed));
+            if (add_oscillation(k, form, half_time)) return true;
         }
         return false;
     }
@@ -393,7 +396,7 @@ private:
     System& system_;
     Graph& graph_;
     Scaled function_;
-    TurnSigns& signs_;
+    TurnAngles& angles_;
     Scaled tau_;
     std::vector<Node> q_, p_;
     std::vector<Scaled> by_p_, by_q_;
@@ -406,13 +409,13 @@ private:
 }  // namespace
 
 std::variant<Flow, NoFlow> flow_of(System& system, const Scaled& function, Node duration) {
-    TurnSigns signs;
-    std::variant<Flow, NoFlow> result = FunctionWithFlow(system, function, duration, signs)();
+    TurnAngles angles;
+    std::variant<Flow, NoFlow> result = FunctionWithFlow(system, function, duration, angles)();
     auto* flow = std::get_if<Flow>(&result);
-    if (flow == nullptr || signs.cosines.empty()) return result;
-    TurnSigns ones{true};
-    std::variant<Flow, NoFlow> usual = FunctionWithFlow(system, function, duration, ones)();
-    flow->usual = {std::move(ones.cosines), std::move(std::get<Flow>(usual).moved)};
+    if (flow == nullptr || angles.conditions.empty()) return result;
+    TurnAngles small{true};
+    std::variant<Flow, NoFlow> usual = FunctionWithFlow(system, function, duration, small)();
+    flow->usual = {std::move(small.conditions), std::move(std::get<Flow>(usual).moved)};
     return result;
 }
 

@@ -199,7 +199,7 @@ void ExpressionParser::fail_unknown_function(const Token& name) const {
     const std::string_view others = is_list() ? "" : "; a scene has others in [functions]";
     std::vector<std::string_view> names;
     for (const Function& function : functions())
-        if (!is_if(function.name) && (is_list() || !is_of_lists(function.name)))
+        if (!is_hidden(function.name) && (is_list() || !is_of_lists(function.name)))
             names.push_back(function.name);
     names.push_back("if");
     for (const auto& [own, count] : own_) names.push_back(own);

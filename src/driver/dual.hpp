@@ -16,6 +16,7 @@
 #include <hvi/detail/numbers/math.hpp>
 #include <hvi/detail/numbers/more_math.hpp>
 #include <hvi/detail/numbers/scalar.hpp>
+#include <hvi/detail/numbers/small_turns.hpp>
 #include <hvi/detail/numbers/two_product.hpp>
 
 namespace hvi::driver {
@@ -256,6 +257,17 @@ template <std::size_t n>
 template <std::size_t n>
 [[nodiscard]] driver::Dual<n> sinh(const driver::Dual<n>& x) {
     return chain(x, std::sinh(x.value), std::cosh(x.value));
+}
+
+template <std::size_t n>
+[[nodiscard]] driver::Dual<n> small_double_sin(const driver::Dual<n>& x) {
+    return chain(x, small_double_sin(x.value), 2 * std::cos(2 * x.value));
+}
+
+template <std::size_t n>
+[[nodiscard]] driver::Dual<n> small_tan(const driver::Dual<n>& x) {
+    const double tan = small_tan(x.value);
+    return chain(x, tan, 1 + tan * tan);
 }
 
 template <std::size_t n>

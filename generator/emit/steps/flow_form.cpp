@@ -1,6 +1,10 @@
 // Headers of steps that are flows of parts of H.
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <fmt/ranges.h>
+
 #include <algorithm>
+#include <string>
+#include <vector>
 
 #include "generator/emit/steps/copies.hpp"
 #include "generator/emit/steps/header.hpp"
@@ -43,23 +47,91 @@ std::string members_text(const FlowStep& form) {
     return writer.str();
 }
 
+/// Moves of the same parts in the same order, again and again, over other fractions.
+struct Cycles {
+    std::size_t count;  ///< 0 where there are not two of them
+    std::size_t moves;  ///< in a cycle
+
+    [[nodiscard]] std::size_t end() const { return count * moves; }
+};
+
+Cycles cycles_of(const std::vector<FlowStep::Move>& moves) {
+    const auto same = [](const auto& a, const auto& b) { return a.part == b.part; };
+    for (std::size_t period = 1; 2 * period <= moves.size(); ++period) {
+        const auto shift = static_cast<std::ptrdiff_t>(period);
+        if (std::equal(moves.begin() + shift, moves.end(), moves.begin(), moves.end() - shift,
+                       same)) {
+            return {moves.size() / period, period};
+        }
+    }
+    return {0, 0};
+}
+
+/// Writes the flow of a move; `place` is that of its fraction.
+void write_move(Writer& writer, const FlowStep::Move& move, const std::string& place) {
+    writer.line("flows_{}_[{}](path);", move.part + 1, place);
+}
+
+/// Writes flows in turn: cycles in a loop over a table of this name, and what follows them.
+void write_moves(Writer& writer, const std::vector<FlowStep::Move>& moves,
+                 const std::string& table) {
+    const Cycles cycles = cycles_of(moves);
+    if (cycles.count > 0) {
+        writer.open("static constexpr std::size_t {}[{}][{}] = {{", table, cycles.count,
+                    cycles.moves);
+        for (std::size_t first = 0; first < cycles.end(); first += cycles.moves) {
+            std::vector<std::size_t> places;
+            for (std::size_t k = 0; k < cycles.moves; ++k) {
+                places.push_back(moves[first + k].fraction);
+            }
+            writer.line("{{{}}},", fmt::join(places, ", "));
+        }
+        writer.close("};").open("for (const auto& cycle : {}) {{", table);
+        for (std::size_t k = 0; k < cycles.moves; ++k) {
+            write_move(writer, moves[k], fmt::format("cycle[{}]", k));
+        }
+        writer.close();
+    }
+    for (std::size_t k = cycles.end(); k < moves.size(); ++k) {
+        write_move(writer, moves[k], std::to_string(moves[k].fraction));
+    }
+}
+
+/// Returns the flows of a step in turn.
 std::string moves_text(const FlowStep& form) {
     Writer writer(2);
-    for (const auto& [moves, times] : form.rounds) {
+    for (std::size_t i = 0; i < form.rounds.size(); ++i) {
+        const auto& [moves, times] = form.rounds[i];
         const bool is_repeated = times > 1;
         if (is_repeated) { writer.open("for (int k = 0; k < {}; ++k) {{", times); }
-        for (const auto& [part, fraction] : moves) {
-            writer.line("flows_{}_[{}](path);", part + 1, fraction);
-        }
+        write_moves(writer, moves, fmt::format("cycles_{}", i + 1));
         if (is_repeated) { writer.close(); }
     }
     return writer.str();
 }
 
-std::string flows_text(const System& system, std::string_view library) {
+/// Returns whether flows are inlined: where the step's code moves few numbers. NOTE: what a flow
+/// has moved then stays in registers, and the next one waits for no memory: turns of one body or
+/// two take a tenth of the time less. Those of eight, whose code is then too long for the nearest
+/// cache, would take two to three times as long.
+bool are_inlined(const System& system, const FlowStep& form) {
+    constexpr std::size_t most = 100;
+    std::size_t numbers = 0;
+    for (const FlowStep::Round& round : form.rounds) {
+        const Cycles cycles = cycles_of(round.moves);
+        for (std::size_t k = 0; k < round.moves.size(); ++k) {
+            const bool is_written = k < cycles.moves || k >= cycles.end();
+            if (is_written) { numbers += system.parts->parts[round.moves[k].part].moved.size(); }
+        }
+    }
+    return numbers <= most;
+}
+
+std::string flows_text(const System& system, const FlowStep& form, std::string_view library) {
+    const bool inlined = are_inlined(system, form);
     std::string text;
     for (std::size_t k = 0; k < system.parts->parts.size(); ++k) {
-        text += (text.empty() ? "" : "\n\n") + flow_text(system, k, library);
+        text += (text.empty() ? "" : "\n\n") + flow_text(system, k, library, inlined);
     }
     return text;
 }
@@ -73,10 +145,14 @@ bool calls_runtime(const System& system) {
 /// Returns the headers of the runtime: copies, which need the standard library alone, but where
 /// bodies turn or flows call the runtime. `code`: all that calls functions.
 std::string support(const System& system, std::string_view code) {
-    const bool calls_math = code.find("hvi::math::") != std::string_view::npos;
+    const auto calls = [&](std::string_view name) {
+        return code.find(name) != std::string_view::npos;
+    };
+    const bool calls_math = calls("hvi::math::"), turns = calls("hvi::math::small_");
     if (rotations_of(system) > 0) {
         return std::string("#include <hvi/detail/groups/chart_space.hpp>\n") +
                (calls_math ? "#include <hvi/detail/numbers/more_math.hpp>\n" : "") +
+               (turns ? "#include <hvi/detail/numbers/small_turns.hpp>\n" : "") +
                "#include <hvi/detail/stages/flow_sums.hpp>\n#include <hvi/detail/stepper.hpp>\n\n";
     }
     if (calls_runtime(system)) {
@@ -87,6 +163,7 @@ std::string support(const System& system, std::string_view code) {
     if (calls_math) {
         names.insert(names.end(), {"detail/numbers/math", "detail/numbers/more_math"});
     }
+    if (turns) { names.emplace_back("detail/numbers/small_turns"); }
     if (are_rounded(code)) { names.emplace_back("detail/coefficients/rounded"); }
     names.insert(names.end(), {"detail/stages/system", "detail/numbers/arithmetic",
                                "detail/numbers/compensated", "detail/stages/flow_sums"});
@@ -104,7 +181,7 @@ std::string emit_one(const OneStepMethod& method, const Step& step, const FlowSt
     };
     const SystemPart part = system_part(method, step, options);
     const std::string fractions = fractions_text(form);
-    const std::string flows = flows_text(system, library(options.wishes));
+    const std::string flows = flows_text(system, form, library(options.wishes));
     Holes holes = holes_of(part);
     holes.merge(Holes{{"support", support(system, fractions + flows + part.types + part.construct)},
                       {"state", part.state},

@@ -3,6 +3,8 @@
 
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "generator/emit/system/class_names.hpp"
@@ -14,11 +16,13 @@ namespace {
 /// Writes the class of the flow of one part.
 class FlowWriter {
 public:
-    FlowWriter(const System& system, std::size_t part, std::string_view library)
+    FlowWriter(const System& system, std::size_t part, std::string_view library, bool is_inlined)
         : system_(system),
           part_(system.parts->parts[part]),
           name_(fmt::format("Flow{}", part + 1)),
           library_(library),
+          head_(fmt::format("[[gnu::{}]] void operator()(Path& at) const {{",
+                            is_inlined ? "always_inline" : "noinline")),
           names_(system, Constants::are_numbers) {
         names_.add_input(system.parts->duration, "time");
     }
@@ -27,11 +31,14 @@ public:
         // NOTE: the constructor comes last, as it computes values that the calls need.
         Writer calls(2);
         if (part_.usual) {
-            write_usual(calls, *part_.usual);
-            calls.blank();
-            write_call(calls, "void turn(Path& at) const {", part_.moved);
+            write_choice(calls, part_.usual->conditions);
+            calls.blank().line("// For angles that are small.");
+            write_call(calls, "[[gnu::always_inline]] void usual(Path& at) const {",
+                       part_.usual->moved);
+            calls.blank().line("// For any angles.");
+            write_call(calls, "[[gnu::noinline]] void any(Path& at) const {", part_.moved);
         } else {
-            write_call(calls, "void operator()(Path& at) const {", part_.moved);
+            write_call(calls, head_, part_.moved);
         }
         Writer setup(2), data(2);
         names_.write_setup(setup, library_);
@@ -51,25 +58,22 @@ public:
     }
 
 private:
-    /// Writes the call for what is usual, which hands the rest to another one.
-    void write_usual(Writer& writer, const UsualFlow& usual) {
-        std::vector<Scaled> values = usual.conditions;
-        for (const Moved& moved : usual.moved) { values.push_back(moved.change); }
-        begin(writer, "void operator()(Path& at) const {");
-        std::vector<std::string> results = results_of(writer, std::move(values));
-        const auto conditions =
-            results.begin() + static_cast<std::ptrdiff_t>(usual.conditions.size());
+    /// Writes the call that chooses. NOTE: nothing else is computed before the choice, so that
+    /// compilers fuse products and sums of what follows.
+    void write_choice(Writer& writer, const std::vector<Scaled>& conditions) {
+        begin(writer, head_);
         std::string all;
-        for (auto condition = results.begin(); condition != conditions; ++condition) {
-            all += fmt::format("{}{} >= 0", all.empty() ? "" : " && ", *condition);
+        for (const std::string& value : results_of(writer, conditions)) {
+            all += fmt::format("{}{} >= 0", all.empty() ? "" : " && ", value);
         }
-        writer.line("if (!({})) {{ return turn(at); }}", all);
-        results.erase(results.begin(), conditions);
-        move(writer, usual.moved, results);
-        writer.close();
+        writer.line("if (!({})) {{ return any(at); }}", all);
+        writer.line("usual(at);").close();
     }
 
-    void write_call(Writer& writer, std::string_view head, const std::vector<Moved>& moved) {
+    void write_call(Writer& writer, std::string_view head, std::vector<Moved> moved) {
+        // NOTE: angles of later turns wait for angular momenta, and for no rotation.
+        std::stable_partition(moved.begin(), moved.end(),
+                              [](const Moved& each) { return each.is_conjugate; });
         std::vector<Scaled> values;
         for (const Moved& each : moved) { values.push_back(each.change); }
         begin(writer, head);
@@ -122,6 +126,7 @@ private:
     const HamiltonianPart& part_;
     std::string name_;
     std::string_view library_;
+    std::string head_;  ///< of the call
     ClassNames names_;
     NodeNames locals_ = variable_names(system_);  ///< what the calls are given
     std::size_t arrays_ = 0;
@@ -129,8 +134,9 @@ private:
 
 }  // namespace
 
-std::string flow_text(const System& system, std::size_t part, std::string_view library) {
-    return FlowWriter(system, part, library).text();
+std::string flow_text(const System& system, std::size_t part, std::string_view library,
+                      bool is_inlined) {
+    return FlowWriter(system, part, library, is_inlined).text();
 }
 
 }  // namespace hvi::gen

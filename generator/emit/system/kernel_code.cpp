@@ -38,6 +38,20 @@ Code literal_of(const SmallFraction& fraction) {
             Binding::product};
 }
 
+/// Returns the name that the runtime has for a function.
+std::string_view name_of_runtime(std::string_view name) {
+    constexpr std::pair<std::string_view, std::string_view> hidden[] = {
+        {"if<", "if_less"},
+        {"if<=", "if_at_most"},
+        {"tan<", "small_tan"},
+        {"sin2<", "small_double_sin"},
+    };
+    for (const auto& [shown, in_runtime] : hidden) {
+        if (shown == name) { return in_runtime; }
+    }
+    return name;
+}
+
 class KernelWriter {
 public:
     KernelWriter(Writer& writer, const Graph& graph, const Kernel& kernel, NodeNames names,
@@ -161,10 +175,11 @@ private:
     [[nodiscard]] Code called(const Computation& computation) const {
         const std::string& name = computation.name;
         if (is_own_function(name)) { return of_user(computation); }
-        if (is_smooth(name)) { return call(name, computation); }
-        const std::string function = !is_if(name) ? name : name == "if<" ? "if_less" : "if_at_most";
+        if (is_smooth(name) && !is_hidden(name)) { return call(name, computation); }
         const std::string_view runtime = library_ == "std" ? "hvi::math" : library_;
-        return {fmt::format("{}::{}<{}>({})", runtime, function, value_, arguments(computation))};
+        const std::string type = is_smooth(name) ? "" : fmt::format("<{}>", value_);
+        return {fmt::format("{}::{}{}({})", runtime, name_of_runtime(name), type,
+                            arguments(computation))};
     }
 
     /// Returns a call of a user's template for one number. NOTE: with its type, so that a function
