@@ -14,6 +14,7 @@
 #include "generator/graph/replaced.hpp"
 #include "generator/lower/constancy.hpp"
 #include "generator/lower/derivative.hpp"
+#include "generator/lower/form_flow.hpp"
 #include "generator/lower/shears.hpp"
 #include "generator/lower/turns.hpp"
 
@@ -54,7 +55,8 @@ public:
             return std::pair(left.is_conjugate, left.component) <
                    std::pair(right.is_conjugate, right.component);
         });
-        return Flow{fmt::format("{}", fmt::join(kinds, ", ")), std::move(moved_)};
+        return Flow{
+            fmt::format("{}", fmt::join(kinds, ", ")), std::move(moved_), {}, std::move(forms_)};
     }
 
 private:
@@ -167,10 +169,10 @@ private:
     /// known.
     std::string add(const std::vector<std::size_t>& together) {
         if (add_shear(together)) return "a shear";
-        if (together.size() > 1) return {};
+        if (together.size() > 1) return add_form(together) ? "a coupled quadratic form" : "";
         const Freedom& one = freedoms_[together.front()];
         if (is_body(one)) return add_turn(one) ? "a turn about an axis of a body" : "";
-        if (add_quadratic(one)) return "a quadratic form";
+        if (add_quadratic(one) || add_form(together)) return "a quadratic form";
         return add_function_of_quadratic(one) ? "a function of a quadratic form" : "";
     }
 
@@ -311,6 +313,27 @@ private:
         return true;
     }
 
+    /// Adds the flow of a quadratic form of several degrees of freedom, or of one that three shears
+    /// do not move: q p, or with linear terms.
+    bool add_form(const std::vector<std::size_t>& together) {
+        if (together.size() > most_coupled) return false;
+        std::vector<Node> variables;
+        std::vector<Scaled> slopes;
+        for (const std::size_t k : together) {
+            if (is_body(freedoms_[k])) return false;
+            variables.push_back(q_[k]);
+            slopes.push_back(by_q_[k]);
+        }
+        for (const std::size_t k : together) {
+            variables.push_back(p_[k]);
+            slopes.push_back(by_p_[k]);
+        }
+        auto rows = rows_of_form(graph_, slopes, variables);
+        if (!rows) return false;
+        forms_.push_back({together, std::move(*rows)});
+        return true;
+    }
+
     /// Adds the flow of f(Q): that of Q over the time f'(Q) tau. NOTE: Q is looked for among forms
     /// that stand in the graph of the function.
     bool add_function_of_quadratic(const Freedom& one) {
@@ -373,6 +396,7 @@ private:
     std::vector<Scaled> by_p_, by_q_;
     std::vector<Freedom> freedoms_;
     std::vector<Moved> moved_;
+    std::vector<FormMoved> forms_;
     Scaled slope_by_q_, slope_by_p_;  ///< of the degree of freedom that is looked at
 };
 

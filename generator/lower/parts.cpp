@@ -173,12 +173,14 @@ private:
 
     void add(std::string name, Expression expression, Flow flow) {
         parts_.parts.push_back({std::move(name), std::move(expression), std::move(flow.kind),
-                                std::move(flow.moved), std::move(flow.usual)});
+                                std::move(flow.moved), std::move(flow.usual),
+                                std::move(flow.forms)});
     }
 
     static constexpr const char* help_for_flows =
         "known are functions of variables that they do not move, quadratic forms of one degree of "
-        "freedom and functions of them, and functions of one component of an angular momentum";
+        "freedom and functions of them, quadratic forms that couple up to 8 degrees, and functions "
+        "of one component of an angular momentum";
 
     System system_;
     const WrittenOutScene& scene_;

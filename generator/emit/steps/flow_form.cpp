@@ -1,5 +1,7 @@
 // Headers of steps that are flows of parts of H.
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <algorithm>
+
 #include "generator/emit/steps/copies.hpp"
 #include "generator/emit/steps/header.hpp"
 #include "generator/emit/steps/system_part.hpp"
@@ -57,14 +59,24 @@ std::string flows_text(const System& system, std::string_view library) {
     return text;
 }
 
+/// Returns whether a part has a quadratic form that is moved by its matrix.
+bool moves_forms(const System& system) {
+    const std::vector<HamiltonianPart>& parts = system.parts->parts;
+    return std::any_of(parts.begin(), parts.end(),
+                       [](const HamiltonianPart& part) { return !part.forms.empty(); });
+}
+
 /// Returns the headers of the runtime: copies, which need the standard library alone, but where
 /// bodies turn. `code`: all that calls functions.
 std::string support(const System& system, std::string_view code) {
     const bool calls_math = code.find("hvi::math::") != std::string_view::npos;
+    const bool has_forms = moves_forms(system);
     if (rotations_of(system) > 0) {
         return std::string("#include <hvi/detail/groups/chart_space.hpp>\n") +
                (calls_math ? "#include <hvi/detail/numbers/more_math.hpp>\n" : "") +
-               "#include <hvi/detail/stages/flow_sums.hpp>\n#include <hvi/detail/stepper.hpp>\n\n";
+               "#include <hvi/detail/stages/flow_sums.hpp>\n" +
+               (has_forms ? "#include <hvi/detail/stages/form_flow.hpp>\n" : "") +
+               "#include <hvi/detail/stepper.hpp>\n\n";
     }
     std::vector<std::string> names{"state", "detail/numbers/scalar"};
     if (calls_math) {
@@ -73,6 +85,10 @@ std::string support(const System& system, std::string_view code) {
     if (are_rounded(code)) { names.emplace_back("detail/coefficients/rounded"); }
     names.insert(names.end(), {"detail/stages/system", "detail/numbers/arithmetic",
                                "detail/numbers/compensated", "detail/stages/flow_sums"});
+    if (has_forms) {
+        names.insert(names.end(), {"detail/numbers/two_product", "detail/numbers/pair",
+                                   "detail/stages/form_flow"});
+    }
     return copies_of(names);
 }
 
@@ -92,6 +108,7 @@ std::string emit_one(const OneStepMethod& method, const Step& step, const FlowSt
     holes.merge(Holes{{"support", support(system, fractions + flows + part.types + part.construct)},
                       {"state", part.state},
                       {"numbers", in_members(numbers_of_bodies::type, "State")},
+                      {"path", moves_forms(system) ? "LongFlowPath" : "FlowPath"},
                       {"begin", in_members(numbers_of_bodies::taken, "")},
                       {"at", in_members(numbers_of_bodies::name, "x")},
                       {"moves", moves_text(form)},

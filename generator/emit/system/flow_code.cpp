@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/emit/system/flow_code.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <vector>
 
 #include "generator/emit/system/class_names.hpp"
@@ -33,6 +36,7 @@ public:
         }
         Writer setup(2), data(2);
         names_.write_setup(setup, library_);
+        for (std::size_t k = 0; k < part_.forms.size(); ++k) { set_form(setup, data, k); }
         names_.write_data(data);
         Writer writer(1);
         writer.comment(fmt::format("Flow of the part {} = {} of H over a time: {}.", part_.name,
@@ -49,6 +53,19 @@ public:
     }
 
 private:
+    /// Writes the member of a form, and its computation.
+    void set_form(Writer& setup, Writer& data, std::size_t k) {
+        const FormMoved& form = part_.forms[k];
+        const Kernel code = kernel_of_inputs(system_.graph, form.rows);
+        // NOTE: in a scope of its own, as the code before it has names of its own.
+        setup.open("{{");
+        const std::vector<std::string> rows =
+            write_code(setup, system_.graph, code, names_.given_inputs(code), library_);
+        setup.line("form_{} = {{time, {{{}}}}};", k + 1, fmt::format("{}", fmt::join(rows, ", ")));
+        setup.close();
+        data.line("hvi::detail::FormFlow<Scalar, {}> form_{};", form.degrees.size(), k + 1);
+    }
+
     /// Writes the call for what is usual, which hands the rest to another one.
     void write_usual(Writer& writer, const UsualFlow& usual) {
         std::vector<Scaled> values = usual.conditions;
@@ -88,15 +105,20 @@ private:
                           library_);
     }
 
-    /// Writes all changes, from values before the flow, then the moves by them.
-    static void move(Writer& writer, const std::vector<Moved>& all,
-                     const std::vector<std::string>& changes) {
+    /// Writes all changes, from values before the flow, then the moves by them, and the moves of
+    /// forms, with which the others have no variable in common.
+    void move(Writer& writer, const std::vector<Moved>& all,
+              const std::vector<std::string>& changes) const {
         for (std::size_t k = 0; k < all.size(); ++k) {
             writer.line("const Scalar change_{} = {};", k + 1, changes[k]);
         }
         for (std::size_t k = 0; k < all.size(); ++k) {
             writer.line("at.move_{}({}, change_{});", all[k].is_conjugate ? 'p' : 'q',
                         all[k].component, k + 1);
+        }
+        for (std::size_t k = 0; k < part_.forms.size(); ++k) {
+            writer.line("form_{}(at, {{{}}});", k + 1,
+                        fmt::format("{}", fmt::join(part_.forms[k].degrees, ", ")));
         }
     }
 
