@@ -126,7 +126,7 @@ TEST_CASE("what couples and is no quadratic form, or a large one, is refused") {
         return planar(part + " + " + rest, "[split]\nA = \"" + part + "\"\nB = \"" + rest + "\"\n");
     };
     const std::string frame = "x*py - y*px";
-    for (const std::string part : {frame + " + x^4", frame + " + x^2*y", frame + " + cos(px)"}) {
+    for (const std::string& part : {frame + " + x^4", frame + " + x^2*y", frame + " + cos(px)"}) {
         CAPTURE(part);
         CHECK(std::string(error_of<MathError>(with(part, "x^2")).what()) ==
               "the flow of `A` is not known: no flow is known where x, px, y, py move");
