@@ -35,8 +35,8 @@ public:
             write_call(calls, "void operator()(Path& at) const {", part_.moved);
         }
         Writer setup(2), data(2);
-        names_.write_setup(setup, library_);
         for (std::size_t k = 0; k < part_.forms.size(); ++k) { set_form(setup, data, k); }
+        names_.write_setup(setup, library_);
         names_.write_data(data);
         Writer writer(1);
         writer.comment(fmt::format("Flow of the part {} = {} of H over a time: {}.", part_.name,
@@ -57,13 +57,13 @@ private:
     void set_form(Writer& setup, Writer& data, std::size_t k) {
         const FormMoved& form = part_.forms[k];
         const Kernel code = kernel_of_inputs(system_.graph, form.rows);
-        // NOTE: in a scope of its own, as the code before it has names of its own.
+        // NOTE: in a scope of its own, as the code after it has names of its own.
         setup.open("{{");
         const std::vector<std::string> rows =
             write_code(setup, system_.graph, code, names_.given_inputs(code), library_);
-        setup.line("form_{} = {{time, {{{}}}}};", k + 1, fmt::format("{}", fmt::join(rows, ", ")));
+        setup.line("form_{}_ = {{time, {{{}}}}};", k + 1, fmt::format("{}", fmt::join(rows, ", ")));
         setup.close();
-        data.line("hvi::detail::FormFlow<Scalar, {}> form_{};", form.degrees.size(), k + 1);
+        data.line("hvi::detail::FormFlow<Scalar, {}> form_{}_;", form.degrees.size(), k + 1);
     }
 
     /// Writes the call for what is usual, which hands the rest to another one.
@@ -117,7 +117,7 @@ private:
                         all[k].component, k + 1);
         }
         for (std::size_t k = 0; k < part_.forms.size(); ++k) {
-            writer.line("form_{}(at, {{{}}});", k + 1,
+            writer.line("form_{}_(at, {{{}}});", k + 1,
                         fmt::format("{}", fmt::join(part_.forms[k].degrees, ", ")));
         }
     }
