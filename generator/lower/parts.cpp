@@ -144,15 +144,18 @@ private:
         return result;
     }
 
-    /// Returns whether a node is a product of two variables at most.
+    /// Returns whether a node is a product of two variables at most, and of what does not vary.
     [[nodiscard]] bool is_monomial(Node node) const {
         const auto is_input = [&](Node one) {
             return system_.graph.at(one).operation == Operation::input;
         };
+        if (is_input(node)) { return true; }
         const Computation& computation = system_.graph.at(node);
-        return is_input(node) ||
-               (computation.operation == Operation::product && is_input(computation.arguments[0]) &&
-                is_input(computation.arguments[1]));
+        if (computation.operation != Operation::product) { return false; }
+        const Node a = computation.arguments[0], b = computation.arguments[1];
+        if (!varies(system_.graph.at(a).roles)) { return is_monomial(b); }
+        if (!varies(system_.graph.at(b).roles)) { return is_monomial(a); }
+        return is_input(a) && is_input(b);
     }
 
     [[nodiscard]] Flow flow_of_term(const Scaled& term) {

@@ -66,6 +66,8 @@ TEST_CASE("parts are found among the terms of H") {
     CHECK(flows_of(planar("px^2/2 + py^2/2 + x^2*y^2")) == Names{"a shear", "a shear"});
     CHECK(flows_of(planar("(px^2 + py^2 + x^2 + y^2)/2 + x^2*y")) ==
           Names{"a quadratic form", "a shear"});
+    CHECK(flows_of(planar("(px^2 + py^2)/2 + a*x^2/2 + b*(y^2 - x*y/3)/2 + x^2*y")) ==
+          Names{"a coupled quadratic form", "a shear"});
     CHECK(flows_of(planar("(x^2 + px^2)^2 + a*(y^2 + b*py^2)^3")) ==
           Names{"a function of a quadratic form"});
 }

@@ -19,20 +19,14 @@ namespace hvi::detail {
 template <class S, std::size_t N>
 using PairMatrix = std::array<std::array<Pair<S>, N>, N>;
 
-/// Returns the larger of the numbers, or NaN where one of them is that.
-template <class S>
-[[nodiscard]] constexpr S larger_or_nan(S a, S b) {
-    return a != a || a > b ? a : b;
-}
-
-/// Returns the largest sum of the sizes in a row.
+/// Returns the largest sum of the sizes in a row. A NaN is not seen.
 template <class S, std::size_t N>
 [[nodiscard]] S norm(const PairMatrix<S, N>& matrix) {
     S result = 0;
     for (const auto& row : matrix) {
         S sum = 0;
         for (const Pair<S>& entry : row) { sum += abs(entry.hi); }
-        result = larger_or_nan(sum, result);
+        result = larger(sum, result);
     }
     return result;
 }
@@ -49,62 +43,11 @@ template <class S, std::size_t N>
     return result;
 }
 
-/// Units of variables, which are powers of two.
-template <class S, std::size_t N>
-using Units = std::array<S, N>;
-
-/// Measures the variable k in units of `unit`.
-template <class S, std::size_t N>
-void change_unit(PairMatrix<S, N>& matrix, std::size_t k, S unit) {
-    for (std::size_t j = 0; j < N; ++j) {
-        matrix[j][k] = {matrix[j][k].hi * unit, matrix[j][k].lo * unit};
-        matrix[k][j] = {matrix[k][j].hi / unit, matrix[k][j].lo / unit};
-    }
-}
-
-/// Returns the unit in which a variable takes part with as much as others take from it: `taken` by
-/// them, and `given` by them. Where one of them is 0, the other one becomes about 1.
-template <class S>
-[[nodiscard]] S balanced_unit(S taken, S given) {
-    S unit = 1;
-    if (!is_finite(taken) || !is_finite(given) || (taken == 0 && given == 0)) { return unit; }
-    if (taken == 0) { return 1 / balanced_unit(given, taken); }
-    const S step = given == 0 ? S(2) : S(4);
-    const S aim = given == 0 ? S(1) : given;
-    for (; taken * 2 < aim; taken *= step) { unit *= 2; }
-    for (; taken > aim * 2; taken /= step) { unit /= 2; }
-    return unit;
-}
-
-/// Chooses units such that rows and columns are of a size, as far as a few sweeps go, and returns
-/// them (Parlett and Reinsch 1969). NOTE: in units of users, kilograms of an electron, the time
-/// would be halved a hundred times.
-template <class S, std::size_t N>
-[[nodiscard]] Units<S, N> balance(PairMatrix<S, N>& matrix) {
-    constexpr int most_sweeps = 16;
-    Units<S, N> units;
-    units.fill(1);
-    bool is_done = false;
-    for (int sweep = 0; sweep < most_sweeps && !is_done; ++sweep) {
-        is_done = true;
-        for (std::size_t k = 0; k < N; ++k) {
-            S taken = 0, given = 0;
-            for (std::size_t j = 0; j < N; ++j) {
-                taken += j == k ? S(0) : abs(matrix[j][k].hi);
-                given += j == k ? S(0) : abs(matrix[k][j].hi);
-            }
-            const S unit = balanced_unit(taken, given);
-            if (unit == 1) { continue; }
-            change_unit(matrix, k, unit);
-            units[k] *= unit;
-            is_done = false;
-        }
-    }
-    return units;
-}
-
 /// Returns exp(X) - 1, whose series is that of X/2^s, and (1 + E)^2 - 1 = 2 E + E^2 s times after
-/// that. The error is about 2^s epsilon^2 beside the norm.
+/// that. Each of these adds some epsilon^2 to the relative error.
+///
+/// NOTE: no step depends on how large entries are beside others, so that rows and columns may have
+/// any units: those of users, as kilograms of an electron, only add to s.
 template <class S, std::size_t N>
 [[nodiscard]] PairMatrix<S, N> exp_minus_one(PairMatrix<S, N> X) {
     int halvings = 0;
@@ -116,10 +59,9 @@ template <class S, std::size_t N>
     for (auto& row : X) {
         for (Pair<S>& entry : row) { entry = {entry.hi * scale, entry.lo * scale}; }
     }
-    constexpr S negligible = epsilon<S> * epsilon<S> / 64;
-    const S least = norm(X) * negligible;
     PairMatrix<S, N> sum = X, term = X;
-    for (int n = 2; norm(term) > least; ++n) {
+    S most = S(1) / 4;  // of the norm of a term
+    for (int n = 2; most > epsilon<S> * epsilon<S> / 64; ++n) {
         term = product(term, X);
         for (std::size_t i = 0; i < N; ++i) {
             for (std::size_t j = 0; j < N; ++j) {
@@ -127,6 +69,7 @@ template <class S, std::size_t N>
                 sum[i][j] = sum[i][j] + term[i][j];
             }
         }
+        most /= S(4 * n);
     }
     for (; halvings > 0; --halvings) {
         const PairMatrix<S, N> square = product(sum, sum);
@@ -156,16 +99,13 @@ public:
 
     FormFlow() = default;
     FormFlow(Scalar time, const Form& form) {
-        PairMatrix<S, N> X = slopes(static_cast<S>(time), form);
-        const Units<S, N> units = balance(X);
-        const PairMatrix<S, N> D = exp_minus_one(X);
+        const PairMatrix<S, N> D = exp_minus_one(slopes(static_cast<S>(time), form));
         for (std::size_t i = 0; i < size; ++i) {
             for (std::size_t j = 0; j < N; ++j) {
-                const S unit = units[i] / units[j];
-                const S hi = D[i][j].hi * unit, lo = D[i][j].lo * unit;
                 Pair<Scalar>& entry = rows_[i][j];
-                entry.hi = static_cast<Scalar>(hi);
-                entry.lo = static_cast<Scalar>((hi - static_cast<S>(entry.hi)) + lo);
+                entry.hi = static_cast<Scalar>(D[i][j].hi);
+                entry.lo =
+                    static_cast<Scalar>((D[i][j].hi - static_cast<S>(entry.hi)) + D[i][j].lo);
             }
         }
     }
