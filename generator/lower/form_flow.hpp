@@ -18,9 +18,8 @@ inline constexpr std::size_t most_coupled = 8;
 /// z
 /// + l with values that do not vary, which is proved; else nothing.
 ///
-/// NOTE: the flow is a matrix, as three shears make none: each has a symmetric block, and so is the
-/// block of q by p of their product, which that of a charge in a magnetic field is not. Four have
-/// large blocks for some times.
+/// NOTE: the flow is a matrix, as three shears do not make it: each has a symmetric block, and so
+/// has their product where it takes p to q; that of a charge in a magnetic field has not.
 [[nodiscard]] std::optional<std::vector<Scaled>>
 rows_of_form(Graph& graph, const std::vector<Scaled>& slopes, const std::vector<Node>& variables);
 
