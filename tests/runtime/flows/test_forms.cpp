@@ -279,7 +279,7 @@ TEST_CASE("the matrix of a form is symplectic to twice the digits") {
     std::array<std::array<Number, size>, size> M{};
     for (std::size_t i = 0; i < size; ++i) {
         for (std::size_t j = 0; j < size; ++j) {
-            M[i][j] = flow.rows()[i][j] + Number{i == j ? 1.0 : 0.0};
+            M[i][j] = flow.entry(i, j) + Number{i == j ? 1.0 : 0.0};
         }
     }
     for (std::size_t j = 0; j < size; ++j) {

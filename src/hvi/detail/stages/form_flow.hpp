@@ -90,41 +90,38 @@ template <class S, std::size_t N>
 /// step, and by 3e-17 with a rounded matrix.
 template <class Scalar, std::size_t n>
 class FormFlow {
-    static constexpr std::size_t size = 2 * n, N = size + 1;
+    static constexpr std::size_t size = 2 * n, N = size + 1, entries = n * (size + 3);
 
 public:
     /// The rows of (S l), each from the diagonal on.
-    using Form = std::array<Scalar, n*(size + 3)>;
-    using Matrix = std::array<std::array<Pair<Scalar>, N>, size>;
+    using Form = std::array<Scalar, entries>;
 
     FormFlow() = default;
     FormFlow(Scalar time, const Form& form) {
         const PairMatrix<S, N> D = exp_minus_one(slopes(static_cast<S>(time), form));
         for (std::size_t i = 0; i < size; ++i) {
             for (std::size_t j = 0; j < N; ++j) {
-                Pair<Scalar>& entry = rows_[i][j];
-                entry.hi = static_cast<Scalar>(D[i][j].hi);
-                entry.lo =
-                    static_cast<Scalar>((D[i][j].hi - static_cast<S>(entry.hi)) + D[i][j].lo);
+                const auto [hi, lo] = D[i][j];
+                large_[j][i] = static_cast<Scalar>(hi);
+                small_[j][i] = static_cast<Scalar>((hi - static_cast<S>(large_[j][i])) + lo);
             }
         }
     }
 
-    /// Returns the rows of (D d).
-    [[nodiscard]] const Matrix& rows() const { return rows_; }
+    /// Returns an entry of (D d).
+    [[nodiscard]] Pair<Scalar> entry(std::size_t i, std::size_t j) const {
+        return {large_[j][i], small_[j][i]};
+    }
 
     /// Moves the degrees of freedom with these numbers.
     template <class Path>
     void operator()(Path& at, const std::array<std::size_t, n>& degrees) const {
-        std::array<Scalar, size> z;
+        Column change = large_[size], remainder = small_[size];
+        for (std::size_t k = 0; k < n; ++k) { add(k, at.x.q[degrees[k]], change, remainder); }
+        for (std::size_t k = 0; k < n; ++k) { add(n + k, at.x.p[degrees[k]], change, remainder); }
         for (std::size_t k = 0; k < n; ++k) {
-            z[k] = at.x.q[degrees[k]];
-            z[n + k] = at.x.p[degrees[k]];
-        }
-        for (std::size_t k = 0; k < n; ++k) {
-            const Sum<Scalar> of_q = change(rows_[k], z), of_p = change(rows_[n + k], z);
-            at.move_q(degrees[k], of_q.value, of_q.remainder);
-            at.move_p(degrees[k], of_p.value, of_p.remainder);
+            at.move_q(degrees[k], change[k], remainder[k]);
+            at.move_p(degrees[k], change[n + k], remainder[n + k]);
         }
     }
 
@@ -149,18 +146,18 @@ private:
         return X;
     }
 
-    [[nodiscard]] static Sum<Scalar> change(const std::array<Pair<Scalar>, N>& row,
-                                            const std::array<Scalar, size>& z) {
-        Sum<Scalar> all{row[size].hi, row[size].lo};
-        for (std::size_t j = 0; j < size; ++j) {
-            const Sum<Scalar> sum = two_sum(all.value, row[j].hi * z[j]);
-            all.value = sum.value;
-            all.remainder += sum.remainder + row[j].lo * z[j];
+    using Column = std::array<Scalar, size>;
+
+    /// Adds z times the column j. NOTE: by columns, whose entries do not wait for each other.
+    void add(std::size_t j, Scalar z, Column& change, Column& remainder) const {
+        for (std::size_t i = 0; i < size; ++i) {
+            const Sum<Scalar> sum = two_sum(change[i], large_[j][i] * z);
+            change[i] = sum.value;
+            remainder[i] += sum.remainder + small_[j][i] * z;
         }
-        return all;
     }
 
-    Matrix rows_{};
+    std::array<Column, N> large_{}, small_{};  ///< the columns of (D d), and what was cut off
 };
 
 }  // namespace hvi::detail
