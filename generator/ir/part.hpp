@@ -34,6 +34,13 @@ struct UsualFlow {
     std::vector<Moved> moved;
 };
 
+/// The flow of a quadratic form z^T S z/2 + l^T z of degrees of freedom that it couples, z = (q, p),
+/// as a matrix: the runtime computes that when the time changes, and the changes from it.
+struct FormMoved {
+    std::vector<std::size_t> degrees;  ///< components of q and of p
+    std::vector<Scaled> rows;          ///< of (S l), each from the diagonal on
+};
+
 /// A part of H, and its flow over the time HamiltonianParts::duration.
 struct HamiltonianPart {
     std::string name;
@@ -42,6 +49,7 @@ struct HamiltonianPart {
     std::vector<Moved> moved;
     std::optional<UsualFlow> usual;  ///< with fewer operations
     std::vector<RuntimeValues> in_each_flow = {};  ///< that the changes are computed from
+    std::vector<FormMoved> forms = {};
 };
 
 /// Parts whose sum is H. The change of a part over the time h is exact.

@@ -320,6 +320,11 @@ std::string lines(const HamiltonianParts& parts) {
             result += "else\n";
         }
         add_moved(part.moved);
+        for (const FormMoved& form : part.forms) {
+            std::string degrees;
+            for (const std::size_t k : form.degrees) { degrees += fmt::format(" {}", k + 1); }
+            result += line("q and p move by a form" + degrees, joined(form.rows));
+        }
     }
     if (const SmallSteps& small = parts.small_steps; small.exist()) {
         result +=

@@ -16,6 +16,7 @@ struct Flow {
     std::vector<Moved> moved;
     std::optional<UsualFlow> usual = {};
     std::vector<RuntimeValues> in_each_flow = {};
+    std::vector<FormMoved> forms = {};
 };
 
 }  // namespace hvi::gen

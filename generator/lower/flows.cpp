@@ -15,6 +15,7 @@
 #include "generator/graph/replaced.hpp"
 #include "generator/lower/constancy.hpp"
 #include "generator/lower/derivative.hpp"
+#include "generator/lower/form_flow.hpp"
 #include "generator/lower/orbits.hpp"
 #include "generator/lower/shears.hpp"
 #include "generator/lower/turns.hpp"
@@ -59,7 +60,8 @@ public:
         return Flow{fmt::format("{}", fmt::join(kinds, ", ")),
                     std::move(moved_),
                     {},
-                    std::move(in_each_flow_)};
+                    std::move(in_each_flow_),
+                    std::move(forms_)};
     }
 
 private:
@@ -173,10 +175,10 @@ private:
     std::string add(const std::vector<std::size_t>& together) {
         if (add_shear(together)) return "a shear";
         if (add_orbits(together)) return name_of_orbits;
-        if (together.size() > 1) return {};
+        if (together.size() > 1) return add_form(together) ? "a coupled quadratic form" : "";
         const Freedom& one = freedoms_[together.front()];
         if (is_body(one)) return add_turn(one) ? "a turn about an axis of a body" : "";
-        if (add_quadratic(one)) return "a quadratic form";
+        if (add_quadratic(one) || add_form(together)) return "a quadratic form";
         return add_function_of_quadratic(one) ? "a function of a quadratic form" : "";
     }
 
@@ -338,6 +340,27 @@ private:
         return true;
     }
 
+    /// Adds the flow of a quadratic form of several degrees of freedom, or of one that three shears
+    /// do not move: q p, or with linear terms.
+    bool add_form(const std::vector<std::size_t>& together) {
+        if (together.size() > most_coupled) return false;
+        std::vector<Node> variables;
+        std::vector<Scaled> slopes;
+        for (const std::size_t k : together) {
+            if (is_body(freedoms_[k])) return false;
+            variables.push_back(q_[k]);
+            slopes.push_back(by_q_[k]);
+        }
+        for (const std::size_t k : together) {
+            variables.push_back(p_[k]);
+            slopes.push_back(by_p_[k]);
+        }
+        auto rows = rows_of_form(graph_, slopes, variables);
+        if (!rows) return false;
+        forms_.push_back({together, std::move(*rows)});
+        return true;
+    }
+
     /// Adds the flow of f(Q): that of Q over the time f'(Q) tau. NOTE: Q is looked for among forms
     /// that stand in the graph of the function.
     bool add_function_of_quadratic(const Freedom& one) {
@@ -403,6 +426,7 @@ private:
     std::vector<Freedom> freedoms_;
     std::vector<Moved> moved_;
     std::vector<RuntimeValues> in_each_flow_;
+    std::vector<FormMoved> forms_;
     Scaled slope_by_q_, slope_by_p_;  ///< of the degree of freedom that is looked at
 };
 

@@ -20,12 +20,15 @@ struct NoFlow {
 ///
 /// - a function of variables that it does not move: kicks, drifts, torques, which are shears;
 /// - a quadratic form of one degree of freedom: a rotation, or hyperbolic, as three shears;
-/// - a function f(Q) of such a form: the flow of Q with the speed f'(Q), as Q is conserved;
+/// - a quadratic form of several degrees, with linear terms or without: a matrix;
+/// - a function f(Q) of a form of one degree: the flow of Q with the speed f'(Q), as Q is
+/// conserved;
 /// - a function of one component of the angular momentum of a body: a turn about its axis;
 /// - a kinetic energy and attractions -k/r of relative motions that do not couple: Kepler orbits.
 ///
-/// Shears are symplectic however their coefficients are rounded. Each property is proved by exact
-/// algebra. Precondition: the system is written out, and H does not depend on the time.
+/// Shears are symplectic however their coefficients are rounded, and matrices have twice the
+/// digits. Each property is proved by exact algebra. Precondition: the system is written out, and H
+/// does not depend on the time.
 [[nodiscard]] std::variant<Flow, NoFlow> flow_of(System& system, const Scaled& function,
                                                  Node duration);
 

@@ -297,7 +297,7 @@ private:
     void add(const std::string& name, const std::string& text, Flow flow) {
         parts_.parts.push_back({name, Expression::symbol(text), std::move(flow.kind),
                                 std::move(flow.moved), std::move(flow.usual),
-                                std::move(flow.in_each_flow)});
+                                std::move(flow.in_each_flow), std::move(flow.forms)});
     }
 
     /// Adds a part that moves p alone, or q alone.

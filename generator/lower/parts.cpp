@@ -146,15 +146,18 @@ private:
         return result;
     }
 
-    /// Returns whether a node is a product of two variables at most.
+    /// Returns whether a node is a product of two variables at most, and of what does not vary.
     [[nodiscard]] bool is_monomial(Node node) const {
         const auto is_input = [&](Node one) {
             return system_.graph.at(one).operation == Operation::input;
         };
+        if (is_input(node)) { return true; }
         const Computation& computation = system_.graph.at(node);
-        return is_input(node) ||
-               (computation.operation == Operation::product && is_input(computation.arguments[0]) &&
-                is_input(computation.arguments[1]));
+        if (computation.operation != Operation::product) { return false; }
+        const Node a = computation.arguments[0], b = computation.arguments[1];
+        if (!varies(system_.graph.at(a).roles)) { return is_monomial(b); }
+        if (!varies(system_.graph.at(b).roles)) { return is_monomial(a); }
+        return is_input(a) && is_input(b);
     }
 
     [[nodiscard]] Flow flow_of_term(const Scaled& term) {
@@ -176,12 +179,13 @@ private:
     void add(std::string name, Expression expression, Flow flow) {
         parts_.parts.push_back({std::move(name), std::move(expression), std::move(flow.kind),
                                 std::move(flow.moved), std::move(flow.usual),
-                                std::move(flow.in_each_flow)});
+                                std::move(flow.in_each_flow), std::move(flow.forms)});
     }
 
     static constexpr const char* help_for_flows =
         "known are functions of variables that they do not move, quadratic forms of one degree of "
-        "freedom and functions of them, and functions of one component of an angular momentum";
+        "freedom and functions of them, quadratic forms that couple up to 8 degrees, and functions "
+        "of one component of an angular momentum";
 
     System system_;
     const WrittenOutScene& scene_;

@@ -136,38 +136,49 @@ std::string flows_text(const System& system, const FlowStep& form, std::string_v
     return text;
 }
 
-bool calls_runtime(const System& system) {
+/// Returns whether a part has a quadratic form that is moved by its matrix.
+bool moves_forms(const System& system) {
+    const std::vector<HamiltonianPart>& parts = system.parts->parts;
+    return std::any_of(parts.begin(), parts.end(),
+                       [](const HamiltonianPart& part) { return !part.forms.empty(); });
+}
+
+/// Returns whether a part moves by orbits.
+bool has_orbits(const System& system) {
     const std::vector<HamiltonianPart>& parts = system.parts->parts;
     return std::any_of(parts.begin(), parts.end(),
                        [](const HamiltonianPart& part) { return !part.in_each_flow.empty(); });
 }
 
 /// Returns the headers of the runtime: copies, which need the standard library alone, but where
-/// bodies turn or flows call the runtime. `code`: all that calls functions.
+/// bodies turn or orbits go side by side. `code`: all that calls functions.
 std::string support(const System& system, std::string_view code) {
+    std::vector<std::string> names;
+    const auto add = [&](bool is_needed, const std::vector<std::string>& more) {
+        if (is_needed) { names.insert(names.end(), more.begin(), more.end()); }
+    };
     const auto calls = [&](std::string_view name) {
         return code.find(name) != std::string_view::npos;
     };
     const bool calls_math = calls("hvi::math::"), turns = calls("hvi::math::small_");
-    if (rotations_of(system) > 0) {
-        return std::string("#include <hvi/detail/groups/chart_space.hpp>\n") +
-               (calls_math ? "#include <hvi/detail/numbers/more_math.hpp>\n" : "") +
-               (turns ? "#include <hvi/detail/numbers/small_turns.hpp>\n" : "") +
-               "#include <hvi/detail/stages/flow_sums.hpp>\n#include <hvi/detail/stepper.hpp>\n\n";
-    }
-    if (calls_runtime(system)) {
-        return "#include <hvi/detail/stages/flow_sums.hpp>\n"
-               "#include <hvi/detail/stages/two_bodies.hpp>\n#include <hvi/detail/stepper.hpp>\n\n";
-    }
-    std::vector<std::string> names{"state", "detail/numbers/scalar"};
-    if (calls_math) {
-        names.insert(names.end(), {"detail/numbers/math", "detail/numbers/more_math"});
-    }
-    if (turns) { names.emplace_back("detail/numbers/small_turns"); }
-    if (are_rounded(code)) { names.emplace_back("detail/coefficients/rounded"); }
-    names.insert(names.end(), {"detail/stages/system", "detail/numbers/arithmetic",
-                               "detail/numbers/compensated", "detail/stages/flow_sums"});
-    return copies_of(names);
+    const bool has_bodies = rotations_of(system) > 0, is_runtime = has_bodies || has_orbits(system);
+    add(has_bodies, {"detail/groups/chart_space"});
+    add(!is_runtime, {"state", "detail/numbers/scalar"});
+    add(calls_math && !is_runtime, {"detail/numbers/math"});
+    add(calls_math, {"detail/numbers/more_math"});
+    add(turns, {"detail/numbers/small_turns"});
+    add(are_rounded(code) && !is_runtime, {"detail/coefficients/rounded"});
+    add(!is_runtime,
+        {"detail/stages/system", "detail/numbers/arithmetic", "detail/numbers/compensated"});
+    add(true, {"detail/stages/flow_sums"});
+    add(moves_forms(system) && !is_runtime, {"detail/numbers/two_product", "detail/numbers/pair"});
+    add(moves_forms(system), {"detail/stages/form_flow"});
+    add(has_orbits(system), {"detail/stages/two_bodies"});
+    if (!is_runtime) { return copies_of(names); }
+    names.emplace_back("detail/stepper");
+    std::string text;
+    for (const std::string& name : names) { text += fmt::format("#include <hvi/{}.hpp>\n", name); }
+    return text + "\n";
 }
 
 }  // namespace
@@ -186,6 +197,7 @@ std::string emit_one(const OneStepMethod& method, const Step& step, const FlowSt
     holes.merge(Holes{{"support", support(system, fractions + flows + part.types + part.construct)},
                       {"state", part.state},
                       {"numbers", in_members(numbers_of_bodies::type, "State")},
+                      {"path", moves_forms(system) ? "LongFlowPath" : "FlowPath"},
                       {"begin", in_members(numbers_of_bodies::taken, "")},
                       {"at", in_members(numbers_of_bodies::name, "x")},
                       {"moves", moves_text(form)},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/emit/system/flow_code.hpp"
 
+#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
@@ -41,6 +42,7 @@ public:
             write_call(calls, head_, part_.moved);
         }
         Writer setup(2), data(2);
+        for (std::size_t k = 0; k < part_.forms.size(); ++k) { set_form(setup, data, k); }
         names_.write_setup(setup, library_);
         names_.write_data(data);
         Writer writer(1);
@@ -58,6 +60,19 @@ public:
     }
 
 private:
+    /// Writes the member of a form, and its computation.
+    void set_form(Writer& setup, Writer& data, std::size_t k) {
+        const FormMoved& form = part_.forms[k];
+        const Kernel code = kernel_of_inputs(system_.graph, form.rows);
+        // NOTE: in a scope of its own, as the code after it has names of its own.
+        setup.open("{{");
+        const std::vector<std::string> rows =
+            write_code(setup, system_.graph, code, names_.given_inputs(code), library_);
+        setup.line("form_{}_ = {{time, {{{}}}}};", k + 1, fmt::format("{}", fmt::join(rows, ", ")));
+        setup.close();
+        data.line("hvi::detail::FormFlow<Scalar, {}> form_{}_;", form.degrees.size(), k + 1);
+    }
+
     /// Writes the call that chooses. NOTE: nothing else is computed before the choice, so that
     /// compilers fuse products and sums of what follows.
     void write_choice(Writer& writer, const std::vector<Scaled>& conditions) {
@@ -110,15 +125,20 @@ private:
         return write_code(writer, system_.graph, code, names_.given(code, locals_), library_);
     }
 
-    /// Writes all changes, from values before the flow, then the moves by them.
-    static void move(Writer& writer, const std::vector<Moved>& all,
-                     const std::vector<std::string>& changes) {
+    /// Writes all changes, from values before the flow, then the moves by them, and the moves of
+    /// forms, with which the others have no variable in common.
+    void move(Writer& writer, const std::vector<Moved>& all,
+              const std::vector<std::string>& changes) const {
         for (std::size_t k = 0; k < all.size(); ++k) {
             writer.line("const Scalar change_{} = {};", k + 1, changes[k]);
         }
         for (std::size_t k = 0; k < all.size(); ++k) {
             writer.line("at.move_{}({}, change_{});", all[k].is_conjugate ? 'p' : 'q',
                         all[k].component, k + 1);
+        }
+        for (std::size_t k = 0; k < part_.forms.size(); ++k) {
+            writer.line("form_{}_(at, {{{}}});", k + 1,
+                        fmt::format("{}", fmt::join(part_.forms[k].degrees, ", ")));
         }
     }
 

@@ -66,6 +66,8 @@ TEST_CASE("parts are found among the terms of H") {
     CHECK(flows_of(planar("px^2/2 + py^2/2 + x^2*y^2")) == Names{"a shear", "a shear"});
     CHECK(flows_of(planar("(px^2 + py^2 + x^2 + y^2)/2 + x^2*y")) ==
           Names{"a quadratic form", "a shear"});
+    CHECK(flows_of(planar("(px^2 + py^2)/2 + a*x^2/2 + b*(y^2 - x*y/3)/2 + x^2*y")) ==
+          Names{"a coupled quadratic form", "a shear"});
     CHECK(flows_of(planar("(x^2 + px^2)^2 + a*(y^2 + b*py^2)^3")) ==
           Names{"a function of a quadratic form"});
 }
@@ -80,7 +82,72 @@ TEST_CASE("each part moves what it moves") {
 
 TEST_CASE("a product of a coordinate with the momentum of another is a shear") {
     CHECK(flows_of(planar("px*y")) == Names{"a shear"});
-    CHECK(flows_of(planar("x*py - y*px")) == Names{"a shear", "a shear"});
+}
+
+TEST_CASE("a quadratic form that couples degrees of freedom has a flow, however it is written") {
+    const Names coupled{"a coupled quadratic form"};
+    CHECK(flows_of(planar("x*py - y*px")) == coupled);
+    CHECK(flows_of(planar("((px + b*y/2)^2 + (py - b*x/2)^2)/(2*a)")) == coupled);
+    CHECK(flows_of(planar("(px^2 + (py - b*x)^2)/2 - a*y + 3")) == coupled);
+    CHECK(flows_of(planar("(x^2 + y^2 + px^2 + py^2)/2 + a*x*y")) == coupled);
+    CHECK(flows_of(planar("((x + y)*(px + py) + (x - y)*(px - py))*a + x*py")) == coupled);
+    CHECK(flows_of(planar("(px + y)^2/2 + x^2/2 + x*y^3")) ==
+          Names{"a coupled quadratic form", "a shear"});
+}
+
+TEST_CASE("forms of one degree of freedom need a matrix where three shears make no flow") {
+    CHECK(flows_of(planar("x*px + py^2/2")) == Names{"a quadratic form, a shear"});
+    const std::vector<HamiltonianPart> parts = parts_of(planar("(x^2 + px^2)/2 + a*y*py + b*py"));
+    REQUIRE(parts.size() == 1);
+    CHECK(parts[0].flow == "a quadratic form");
+    CHECK(moved(parts[0]) == "q1 p1");
+    REQUIRE(parts[0].forms.size() == 1);
+    CHECK(parts[0].forms[0].degrees == std::vector<std::size_t>{1});
+    CHECK(parts[0].forms[0].rows.size() == 5);
+    REQUIRE(parts[0].usual);
+    CHECK(parts_of(planar("(x^2 + px^2)/2 + x*px/3 + py^2/2"))[0].forms.empty());
+}
+
+TEST_CASE("the rows of a form are its second derivatives and its slopes at the origin") {
+    const WrittenOutScene scene = unrolled(
+        scene_from_toml(*source(planar("(2*x - 3*py)^2/2 + (px + 5*y)^2/2 - 7*y + 11"), "s.toml")));
+    const System system = with_parts(system_of(scene), scene);
+    const std::vector<FormMoved>& forms = system.parts->parts.at(0).forms;
+    REQUIRE(forms.size() == 1);
+    CHECK(forms[0].degrees == std::vector<std::size_t>{0, 1});
+    const std::vector<long> expected{4, 0, 0, -6, 0, 25, 5, 0, -7, 1, 0, 0, 9, 0};
+    REQUIRE(forms[0].rows.size() == expected.size());
+    for (std::size_t k = 0; k < expected.size(); ++k) {
+        CAPTURE(k);
+        CHECK(forms[0].rows[k] == Graph::number(expected[k]));
+    }
+}
+
+TEST_CASE("what couples and is no quadratic form, or a large one, is refused") {
+    const auto with = [](const std::string& part, const std::string& rest) {
+        return planar(part + " + " + rest, "[split]\nA = \"" + part + "\"\nB = \"" + rest + "\"\n");
+    };
+    const std::string frame = "x*py - y*px";
+    for (const std::string& part : {frame + " + x^4", frame + " + x^2*y", frame + " + cos(px)"}) {
+        CAPTURE(part);
+        CHECK(std::string(error_of<MathError>(with(part, "x^2")).what()) ==
+              "the flow of `A` is not known: no flow is known where x, px, y, py move");
+    }
+    const auto chain = [](int n) {
+        std::string text = "[initial]\nq = [0";
+        for (int k = 1; k < n; ++k) { text += ", 0"; }
+        text += "]\np = [1";
+        for (int k = 1; k < n; ++k) { text += ", 1"; }
+        const std::string count = std::to_string(n), last = std::to_string(n - 1);
+        const std::string form =
+            "sum(i=1.." + count + ", p[i]^2/2) + sum(i=1.." + last + ", (q[i+1] - q[i])^2/2)";
+        return "hamiltonian = \"" + form + "\"\ncoordinates = [\"q[1.." + count +
+               "]\"]\nmomenta = [\"p[1.." + count + "]\"]\n[split]\nA = \"" + form + "\"\n" + text +
+               "]\n";
+    };
+    CHECK(flows_of(chain(8)) == Names{"a coupled quadratic form"});
+    const auto refused = error_of<MathError>(chain(9));
+    CHECK(refused.help().find("quadratic forms that couple up to 8 degrees") != std::string::npos);
 }
 
 TEST_CASE("turns about the axes of a body are parts of their own") {

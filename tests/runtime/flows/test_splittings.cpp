@@ -6,6 +6,8 @@
 
 #include <catch2/catch.hpp>
 
+#include "flows/charged_gauss.hpp"
+#include "flows/charged_kahan_li.hpp"
 #include "flows/disturbed_10_6_4.hpp"
 #include "flows/disturbed_2.hpp"
 #include "flows/disturbed_8_4.hpp"
@@ -175,6 +177,13 @@ TEST_CASE("a heavy top is split in three turns and a torque") {
     const double J_z = stepper.J_z(y);
     for (int k = 0; k < 5'000; ++k) { REQUIRE(stepper.step(y, 0.1).ok()); }
     CHECK(std::abs(stepper.J_z(y) - J_z) < 1e-13);
+}
+
+TEST_CASE("a form that couples degrees of freedom is a part beside turns of a body") {
+    const auto reference = after<made::ChargedGauss>(3, 300);
+    const auto x = after<made::ChargedKahanLi>(3, 150);
+    CHECK(std::max(distance(x.q, reference.q), distance(x.p, reference.p)) < 1e-12);
+    CHECK(std::max(distance(x.R, reference.R), distance(x.L, reference.L)) < 1e-12);
 }
 
 TEST_CASE("a step of flows with -h leads back") {

@@ -70,6 +70,32 @@ struct FlowPath {
     }
 };
 
+/// A path on which sums keep what rounding cuts off, for changes that have more digits than one
+/// number.
+template <class State>
+struct LongFlowPath : FlowPath<State> {
+    typename FlowPath<State>::Numbers cut_off;  ///< from the sum of the changes
+
+    template <class Scalar>
+    constexpr void move_q(std::size_t k, Scalar by, Scalar remainder = 0) {
+        move(this->x.q[k], this->change.q[k], cut_off.q[k], by, remainder);
+    }
+    template <class Scalar>
+    constexpr void move_p(std::size_t k, Scalar by, Scalar remainder = 0) {
+        move(this->x.p[k], this->change.p[k], cut_off.p[k], by, remainder);
+    }
+
+private:
+    template <class Number, class Scalar>
+    static constexpr void move(Number& at, Number& change, Number& cut_off, Scalar by,
+                               Scalar remainder) {
+        at += by;
+        const auto sum = two_sum<Scalar>(change, by);
+        change = sum.value;
+        cut_off += sum.remainder + remainder;
+    }
+};
+
 /// The end of the last step, and its remainder. The changes of a step are summed apart, beginning
 /// with the remainder, and the state takes one exact sum a step. Numbers of q and p may differ in
 /// count, as for bodies.
@@ -87,11 +113,12 @@ public:
             path.change.take(remainder_);
             return true;
         }
-        State none = x;
-        for (auto& number : none.q) { number = 0; }
-        for (auto& number : none.p) { number = 0; }
-        path.change.take(none);
+        path.change.take(zero(x));
         return sums_are_exact<Number>();
+    }
+    [[nodiscard]] bool begin(const State& x, LongFlowPath<State>& path) const {
+        path.cut_off.take(zero(x));
+        return begin(x, static_cast<FlowPath<State>&>(path));
     }
 
     /// Adds the changes to x where the sums are finite.
@@ -99,6 +126,30 @@ public:
         State sum = x, remainder = x;
         add(x.q, path.change.q, sum.q, remainder.q);
         add(x.p, path.change.p, sum.p, remainder.p);
+        return ends(x, sum, remainder);
+    }
+    [[nodiscard]] bool end(State& x, const LongFlowPath<State>& path) {
+        State sum = x, remainder = x;
+        add(x.q, path.change.q, sum.q, remainder.q);
+        add(x.p, path.change.p, sum.p, remainder.p);
+        add_what_was_cut_off(sum.q, remainder.q, path.cut_off.q);
+        add_what_was_cut_off(sum.p, remainder.p, path.cut_off.p);
+        return ends(x, sum, remainder);
+    }
+
+    void forget() { ended_ = false; }
+
+private:
+    /// Returns a state of the size of x.
+    [[nodiscard]] static State zero(const State& x) {
+        State result = x;
+        for (auto& number : result.q) { number = 0; }
+        for (auto& number : result.p) { number = 0; }
+        return result;
+    }
+
+    /// Keeps the end of a step and its remainder where the end is finite.
+    [[nodiscard]] bool ends(State& x, const State& sum, const State& remainder) {
         if (!are_finite(sum.q) || !are_finite(sum.p)) { return false; }
         x = sum;
         at_ = sum;
@@ -107,15 +158,22 @@ public:
         return true;
     }
 
-    void forget() { ended_ = false; }
-
-private:
     /// Sets `sum` to from + change, and `remainder` to what rounding cuts off.
     template <class Numbers>
     static constexpr void add(const Numbers& from, const SpacedNumbers<Numbers>& change,
                               Numbers& sum, Numbers& remainder) {
         for (std::size_t k = 0; k < static_cast<std::size_t>(from.size()); ++k) {
             const auto exact = two_sum(from[k], change[k]);
+            sum[k] = exact.value;
+            remainder[k] = exact.remainder;
+        }
+    }
+
+    template <class Numbers>
+    static constexpr void add_what_was_cut_off(Numbers& sum, Numbers& remainder,
+                                               const SpacedNumbers<Numbers>& cut_off) {
+        for (std::size_t k = 0; k < static_cast<std::size_t>(sum.size()); ++k) {
+            const auto exact = two_sum<Number>(sum[k], remainder[k] + cut_off[k]);
             sum[k] = exact.value;
             remainder[k] = exact.remainder;
         }
