@@ -35,6 +35,13 @@ struct HamiltonianPart {
     std::optional<UsualFlow> usual;  ///< with fewer operations
 };
 
+/// What stands for a part that is found and has more than two thousand words.
+inline constexpr const char* too_long_part = "...";
+[[nodiscard]] inline bool is_too_long(const HamiltonianPart& part) {
+    return part.expression.kind == Expression::Kind::symbol &&
+           part.expression.name == too_long_part;
+}
+
 /// Parts whose sum is H. The change of a part over the time h is exact.
 struct HamiltonianParts {
     Node duration = 0;  ///< input of the graph with Role::parameter: the time of a flow

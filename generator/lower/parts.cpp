@@ -55,9 +55,9 @@ void add_terms(Graph& graph, const Scaled& value, const Scaled& factor,
     terms.push_back(graph.product(scaled, {{1, 1}, value.node}));
 }
 
-/// Returns the expression; empty text is a long one.
+/// Returns the expression, or what stands for a long one.
 Expression expression_of(const Graph& graph, const Scaled& value) {
-    return written(graph, value).value_or(Expression::symbol("..."));
+    return written(graph, value).value_or(Expression::symbol(too_long_part));
 }
 
 class PartsOfSystem {
@@ -79,13 +79,14 @@ public:
     }
 
 private:
-    /// Adds the parts that the scene names.
+    /// Adds the parts that the scene names. NOTE: of terms with roots, equal ones vanish as nodes.
     void read_parts(const SceneSplit& split) {
         const Symbols symbols = symbols_of(system_, scene_);
-        std::vector<Scaled> rest{function_of(system_)};
+        std::vector<Scaled> rest;
+        add_terms(system_.graph, function_of(system_), Graph::number(1), rest);
         for (const NamedExpression& part : split.parts) {
             const Scaled value = lower(system_.graph, part.expression, symbols, part.place.source);
-            rest.push_back(system_.graph.times({-1, 1}, value));
+            add_terms(system_.graph, value, Graph::number(-1), rest);
             auto flow = flow_of(system_, value, parts_.duration);
             if (const auto* none = std::get_if<NoFlow>(&flow)) {
                 throw MathError(

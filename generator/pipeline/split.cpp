@@ -5,6 +5,7 @@
 
 #include "generator/lower/parts.hpp"
 #include "generator/pipeline/refusals.hpp"
+#include "generator/symmetry/kept_by_parts.hpp"
 
 namespace hvi::gen {
 
@@ -33,6 +34,20 @@ std::optional<System> system_in_parts(const Method& method, const LoweredScene& 
         throw InputError("--split none steps H = T(p) + U(q), and this H is no such sum",
                          method.place, "without it parts of H are found, or those of [split]");
     return in_parts(scene, method, wishes);
+}
+
+std::vector<std::string> kept_by_flows(const System& system, const LoweredScene& scene) {
+    if (!system.parts || scene.written->invariants.empty()) return {};
+    Hamiltonian H = hamiltonian_of(*scene.written);
+    H.parameters.clear();
+    std::vector<Quantity> quantities;
+    for (const NamedExpression& invariant : scene.written->invariants)
+        quantities.push_back({invariant.expression, invariant.place.source});
+    const KeptByParts found = kept_by_parts(*system.parts, H, quantities);
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < quantities.size(); ++i)
+        if (is_kept_by_all(found.brackets[i])) names.push_back(scene.written->invariants[i].name);
+    return names;
 }
 
 }  // namespace hvi::gen

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "generator/options/wishes.hpp"
 #include "generator/pipeline/lowered.hpp"
@@ -20,5 +22,10 @@ namespace hvi::gen {
 /// see Scene::split. Throws as in_parts() does.
 [[nodiscard]] std::optional<System> system_in_parts(const Method& method, const LoweredScene& scene,
                                                     const StepperWishes& wishes);
+
+/// Returns the names of the scene's invariants that the flow of each part keeps, for all values of
+/// parameters; none where steps are no flows of parts.
+[[nodiscard]] std::vector<std::string> kept_by_flows(const System& system,
+                                                     const LoweredScene& scene);
 
 }  // namespace hvi::gen

@@ -101,6 +101,9 @@ TEST_CASE("parts that are named have to be H") {
     };
     CHECK(flows_of(with("A = \"(px^2 + py^2)/2\"\nB = \"a*x^2*y^2\"\n")).size() == 2);
     CHECK(flows_of(with("A = \"px^2/2\"\nB = \"py^2/2\"\nC = \"a*(x*y)^2\"\n")).size() == 3);
+    CHECK(flows_of(planar("(px^2 + py^2)/2 - a/sqrt(x^2 + y^2)",
+                          "[split]\nA = \"(px^2 + py^2)/2\"\nB = \"-a/sqrt(x^2 + y^2)\"\n"))
+              .size() == 2);
     const auto wrong = error_of<InputError>(with("A = \"(px^2 + py^2)/2\"\nB = \"x^2*y^2\"\n"));
     CHECK(std::string(wrong.what()) == "the parts do not add up to the Hamiltonian");
     CHECK(wrong.help().find("H minus their sum is ") != std::string::npos);
