@@ -62,6 +62,20 @@ std::string kept_text(const System& split, Scene scene) {
     return text;
 }
 
+/// Returns a table of the ways to take H apart, with a mark for the one that is taken.
+std::string candidates_text(const std::vector<SplitCandidate>& candidates, std::size_t chosen) {
+    TextRows rows{{"", "parts", "flows", "operations", "error/h^2", "work"}};
+    for (std::size_t k = 0; k < candidates.size(); ++k) {
+        const SplitCandidate& each = candidates[k];
+        const std::size_t flows = 2 * each.system.parts->parts.size() - 1;
+        rows.push_back({k == chosen ? "*" : "", each.name, fmt::format("{}", flows),
+                        fmt::format("{:.0f}", each.cost),
+                        each.error ? fmt::format("{:.1e}", *each.error) : "",
+                        each.error ? fmt::format("{:.1e}", each.work()) : ""});
+    }
+    return text_table("Steps of strang, and the error of the energy along 128 of them:", rows);
+}
+
 std::string parts_text(const System& split, const Scene& scene) {
     TextRows rows;
     for (const HamiltonianPart& part : split.parts->parts)
@@ -76,9 +90,13 @@ std::string parts_text(const System& split, const Scene& scene) {
 
 std::string splits_of(const SystemOptions& system) {
     const Scene scene = read_scene_alone({}, system);
-    const System split = in_parts(lowered(scene, {Unroll::yes, "list splits"}));
+    const std::vector<SplitCandidate> candidates =
+        ways_to_split(lowered(scene, {Unroll::yes, "list splits"}));
+    const std::size_t chosen = chosen_split(candidates);
+    const System& split = candidates[chosen].system;
     const std::size_t flows = 2 * split.parts->parts.size() - 1;
-    std::string text = parts_text(split, scene) + kept_text(split, scene);
+    std::string text =
+        parts_text(split, scene) + kept_text(split, scene) + candidates_text(candidates, chosen);
     text += fmt::format("strang takes {} flow{} a step, as in hvi-gen run --method strang {}\n",
                         flows, flows == 1 ? "" : "s", scene.origin);
     const bool is_named = std::holds_alternative<IndexedSplit>(scene.split);

@@ -33,6 +33,7 @@ struct HamiltonianPart {
     std::string flow;       ///< in words: `kicks and drifts`
     std::vector<Moved> moved;
     std::optional<UsualFlow> usual;  ///< with fewer operations
+    Scaled value = {};               ///< of the part
 };
 
 /// What stands for a part that is found and has more than two thousand words.

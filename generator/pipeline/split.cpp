@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/pipeline/split.hpp"
 
+#include <utility>
 #include <variant>
 
-#include "generator/lower/parts.hpp"
 #include "generator/pipeline/refusals.hpp"
 #include "generator/symmetry/kept_by_parts.hpp"
 
 namespace hvi::gen {
 
-System in_parts(const LoweredScene& scene, const Method& method, const StepperWishes& wishes) {
+std::vector<SplitCandidate> ways_to_split(const LoweredScene& scene, const Method& method,
+                                          const StepperWishes& wishes) {
     check_splitting(scene.system, method, wishes, scene.place());
     const std::size_t numbers =
         coordinate_nodes(scene.system).size() + conjugate_nodes(scene.system).size();
@@ -17,7 +18,12 @@ System in_parts(const LoweredScene& scene, const Method& method, const StepperWi
         throw InputError("directions, shadows and balances of the energy are not built for flows "
                          "of parts of H",
                          method.place, "take a method that is no splitting: gauss:2");
-    return with_parts(scene.system, *scene.written);
+    return split_candidates(scene.system, *scene.written);
+}
+
+System in_parts(const LoweredScene& scene, const Method& method, const StepperWishes& wishes) {
+    std::vector<SplitCandidate> all = ways_to_split(scene, method, wishes);
+    return std::move(all[chosen_split(all)].system);
 }
 
 std::optional<System> system_in_parts(const Method& method, const LoweredScene& scene,

@@ -6,14 +6,20 @@
 #include <string>
 #include <vector>
 
+#include "generator/lower/split_choice.hpp"
 #include "generator/options/wishes.hpp"
 #include "generator/pipeline/lowered.hpp"
 
 namespace hvi::gen {
 
-/// Returns the system with the parts that the scene names, or those that are found. Throws
+/// Returns the parts that the scene names, or the ways that are found to take H apart. Throws
 /// InputError and MathError for an H without known parts, for parts that are not H, and as
 /// check_splitting() does.
+[[nodiscard]] std::vector<SplitCandidate> ways_to_split(const LoweredScene& scene,
+                                                        const Method& method = {},
+                                                        const StepperWishes& wishes = {});
+
+/// Returns the system with the parts of the way that is chosen. Throws as ways_to_split() does.
 [[nodiscard]] System in_parts(const LoweredScene& scene, const Method& method = {},
                               const StepperWishes& wishes = {});
 

@@ -115,7 +115,7 @@ TEST_CASE("turns of a body keep its angular momentum in space, and none keeps th
 TEST_CASE("what the sum of parts keeps, and no part of them, is not claimed") {
     const std::string top =
         turning({"L[1]^2/2", "L[2]^2/2", "L[3]^2", "R[3,3]"}, "own = \"L[3]\"\n");
-    CHECK(kept_in(top) == Letters{{"own", "--kk"}, {"energy", "----"}});
+    CHECK(kept_in(top) == Letters{{"own", "--kk"}, {"energy", "--k-"}});
     const Statement own = said_of("own", top);
     CHECK(own.keeping == Keeping::not_in_general);
     CHECK(own.reason == "its bracket is not zero with A, B");
