@@ -90,8 +90,9 @@ std::string parts_text(const System& split, const Scene& scene) {
 
 std::string splits_of(const SystemOptions& system) {
     const Scene scene = read_scene_alone({}, system);
-    const std::vector<SplitCandidate> candidates =
-        ways_to_split(lowered(scene, {Unroll::yes, "list splits"}));
+    const LoweredScene system_of_scene = lowered(scene, {Unroll::yes, "list splits"});
+    std::vector<SplitCandidate> candidates = ways_to_split(system_of_scene);
+    measure(candidates, *system_of_scene.written);
     const std::size_t chosen = chosen_split(candidates);
     const System& split = candidates[chosen].system;
     const std::size_t flows = 2 * split.parts->parts.size() - 1;

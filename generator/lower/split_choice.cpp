@@ -31,16 +31,6 @@ bool are_kicks_and_drifts(const System& system) {
            });
 }
 
-/// Measures all candidates along one motion.
-void measure(std::vector<SplitCandidate>& all, const WrittenOutScene& scene) {
-    for (SplitCandidate& each : all) each.cost = cost_of_strang(each.system);
-    const System& first = all.front().system;
-    if (first.degrees_of_freedom() > most_measured || first.parts->parts.size() < 2) return;
-    const auto states = states_of_strang(first, scene);
-    if (!states) return;
-    for (SplitCandidate& each : all) each.error = split_error(each.system, scene, *states);
-}
-
 }  // namespace
 
 double SplitCandidate::work() const { return cost * std::sqrt(error.value()); }
@@ -60,8 +50,16 @@ std::vector<SplitCandidate> split_candidates(const System& system, const Written
         add("T(p), U(q)", with_parts(system, scene, FoundParts::kinetic_potential));
         add("U(q), T(p)", in_reverse(all.back().system));
     }
-    measure(all, scene);
     return all;
+}
+
+void measure(std::vector<SplitCandidate>& all, const WrittenOutScene& scene) {
+    for (SplitCandidate& each : all) each.cost = cost_of_strang(each.system);
+    const System& first = all.front().system;
+    if (first.degrees_of_freedom() > most_measured || first.parts->parts.size() < 2) return;
+    const auto states = states_of_strang(first, scene);
+    if (!states) return;
+    for (SplitCandidate& each : all) each.error = split_error(each.system, scene, *states);
 }
 
 std::size_t chosen_split(const std::vector<SplitCandidate>& candidates) {

@@ -15,9 +15,9 @@ namespace hvi::gen {
 
 /// A way to take H apart.
 struct SplitCandidate {
-    std::string name;                  ///< `in order`
-    System system;                     ///< with its parts
-    double cost = 0;                   ///< of a step of strang: see cost_of_strang()
+    std::string name;  ///< `in order`
+    System system;     ///< with its parts
+    double cost = 0;   ///< of a step of strang, where it is measured: see cost_of_strang()
     std::optional<double> error = {};  ///< of the energy, over h^2: see split_error()
 
     /// Returns the work of strang to a time with an error of H, but for a factor: its steps are as
@@ -31,9 +31,13 @@ struct SplitCandidate {
 /// - in reverse: these in reverse;
 /// - T(p), U(q), and U(q), T(p), where H is such a sum and these are other parts.
 ///
-/// Throws as with_parts() does. Precondition: that of with_parts().
+/// They are not measured. Throws as with_parts() does. Precondition: that of with_parts().
 [[nodiscard]] std::vector<SplitCandidate> split_candidates(const System& system,
                                                            const WrittenOutScene& scene);
+
+/// Measures candidates along the motion that strang with the first has. There are no errors where
+/// the scene has no initial state, for one part, and beyond 24 degrees of freedom.
+void measure(std::vector<SplitCandidate>& all, const WrittenOutScene& scene);
 
 /// Returns the place of the candidate that splittings take: that of the least work, if it takes
 /// less than nine tenths of that of the first, and all errors are known; else the first.

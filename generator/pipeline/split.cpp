@@ -23,6 +23,7 @@ std::vector<SplitCandidate> ways_to_split(const LoweredScene& scene, const Metho
 
 System in_parts(const LoweredScene& scene, const Method& method, const StepperWishes& wishes) {
     std::vector<SplitCandidate> all = ways_to_split(scene, method, wishes);
+    if (all.size() > 1) measure(all, *scene.written);
     return std::move(all[chosen_split(all)].system);
 }
 

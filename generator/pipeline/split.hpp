@@ -12,7 +12,8 @@
 
 namespace hvi::gen {
 
-/// Returns the parts that the scene names, or the ways that are found to take H apart. Throws
+/// Returns the parts that the scene names, or the ways that are found to take H apart; see
+/// split_candidates(). Throws
 /// InputError and MathError for an H without known parts, for parts that are not H, and as
 /// check_splitting() does.
 [[nodiscard]] std::vector<SplitCandidate> ways_to_split(const LoweredScene& scene,
