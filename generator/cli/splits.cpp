@@ -100,9 +100,9 @@ std::string splits_of(const SystemOptions& system) {
         parts_text(split, scene) + kept_text(split, scene) + candidates_text(candidates, chosen);
     text += fmt::format("strang takes {} flow{} a step, as in hvi-gen run --method strang {}\n",
                         flows, flows == 1 ? "" : "s", scene.origin);
-    const bool is_named = std::holds_alternative<IndexedSplit>(scene.split);
+    const bool is_asked_for = !std::holds_alternative<std::monostate>(scene.split);
     const bool is_kicked = is_separable(split) && rotations_of(split) == 0;
-    if (is_kicked && !is_named)
+    if (is_kicked && !is_asked_for)
         text +=
             "H is T(p) + U(q): without --split auto splittings step these by drifts and kicks\n";
     return text;
