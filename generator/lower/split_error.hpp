@@ -25,15 +25,15 @@ using StatesOfMotion = std::vector<std::vector<double>>;
 [[nodiscard]] std::optional<double> split_error(System system, const WrittenOutScene& scene,
                                                 const StatesOfMotion& states);
 
-/// Returns the start of a scene and the states after each of 128 steps of strang. Their size is such
-/// that the error of the energy is about a hundredth of it, so that they go through some periods.
-/// Returns nothing where the scene has no initial state, or a step no value. Precondition: the
-/// system has parts.
+/// Returns the start of a scene and the states after each of 128 steps of strang. Their size is
+/// such that the error of the energy is about a hundredth of it, so that they go through some
+/// periods. Returns nothing where the scene has no initial state, or a step no value. Precondition:
+/// the system has parts.
 [[nodiscard]] std::optional<StatesOfMotion> states_of_strang(System system,
                                                              const WrittenOutScene& scene);
 
-/// Returns the operations of the flows in a step of strang, with compensated sums, in additions. Precondition: the system
-/// has parts.
+/// Returns the operations of the flows in a step of strang, with compensated sums, in additions.
+/// Precondition: the system has parts.
 [[nodiscard]] double cost_of_strang(const System& system);
 
 }  // namespace hvi::gen

@@ -112,6 +112,14 @@ TEST_CASE("turns of a body keep its angular momentum in space, and none keeps th
                                                           {"energy", "----"}});
 }
 
+TEST_CASE("nothing is claimed of what jumps, whose derivatives vanish") {
+    CHECK(kept_in(turning({"L[1]^2/2", "L[2]^2/4", "L[3]^2/6"}, "side = \"sign(L[1])\"\n")) ==
+          Letters{{"side", "???"}, {"energy", "---"}});
+    CHECK(kept_in(plane(central, "A = \"(px^2 + py^2)/2\"\nB = \"-1/sqrt(x^2 + y^2)\"\n",
+                        "side = \"sign(x*py - y*px)\"\n")) ==
+          Letters{{"side", "??"}, {"energy", "--"}});
+}
+
 TEST_CASE("what the sum of parts keeps, and no part of them, is not claimed") {
     const std::string top =
         turning({"L[1]^2/2", "L[2]^2/2", "L[3]^2", "R[3,3]"}, "own = \"L[3]\"\n");
