@@ -73,7 +73,7 @@ std::string candidates_text(const std::vector<SplitCandidate>& candidates, std::
                         each.error ? fmt::format("{:.1e}", *each.error) : "",
                         each.error ? fmt::format("{:.1e}", each.work()) : ""});
     }
-    return text_table("Steps of strang, and the error of the energy along 128 of them:", rows);
+    return text_table("Steps of strang, and the error of the energy along the motion:", rows);
 }
 
 std::string parts_text(const System& split, const Scene& scene) {

@@ -57,7 +57,7 @@ void measure(std::vector<SplitCandidate>& all, const WrittenOutScene& scene) {
     for (SplitCandidate& each : all) each.cost = cost_of_strang(each.system);
     const System& first = all.front().system;
     if (first.degrees_of_freedom() > most_measured || first.parts->parts.size() < 2) return;
-    const auto states = states_of_strang(first, scene);
+    const auto states = states_of_motion(first, scene);
     if (!states) return;
     for (SplitCandidate& each : all) each.error = split_error(each.system, scene, *states);
 }

@@ -35,8 +35,8 @@ struct SplitCandidate {
 [[nodiscard]] std::vector<SplitCandidate> split_candidates(const System& system,
                                                            const WrittenOutScene& scene);
 
-/// Measures candidates along the motion that strang with the first has. There are no errors where
-/// the scene has no initial state, for one part, and beyond 24 degrees of freedom.
+/// Measures candidates along the motion from the start. There are no errors where the scene has no
+/// initial state, for one part, and beyond 24 degrees of freedom.
 void measure(std::vector<SplitCandidate>& all, const WrittenOutScene& scene);
 
 /// Returns the place of the candidate that splittings take: that of the least work, if it takes

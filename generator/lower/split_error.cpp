@@ -65,7 +65,7 @@ private:
     std::vector<Node> q_, p_;
 };
 
-constexpr std::size_t steps_of_motion = 128;
+constexpr std::size_t steps_of_motion = 128, parts_of_step = 4;
 constexpr double error_of_steps = 0.01;
 constexpr double cost_of_exact_sum = 7;  ///< of a change and a variable, with what is rounded off
 
@@ -88,16 +88,18 @@ std::vector<double> start_of_motion(const WrittenOutScene& scene) {
     return state;
 }
 
+/// Returns coordinates, then conjugates.
+std::vector<Node> variable_nodes(const System& system) {
+    std::vector<Node> nodes = coordinate_nodes(system);
+    for (const Node node : conjugate_nodes(system)) { nodes.push_back(node); }
+    return nodes;
+}
+
 /// Values of a system at a state.
 class ValuesAtStates {
 public:
     ValuesAtStates(const System& system, const WrittenOutScene& scene)
-        : system_(system),
-          inputs_(parameters_of(scene)),
-          variables_(coordinate_nodes(system)),
-          coordinates_(variables_.size()) {
-        for (const Node node : conjugate_nodes(system)) { variables_.push_back(node); }
-    }
+        : system_(system), inputs_(parameters_of(scene)), variables_(variable_nodes(system)) {}
 
     [[nodiscard]] std::vector<double> operator()(const std::vector<Scaled>& results,
                                                  const std::vector<double>& state) {
@@ -107,23 +109,10 @@ public:
         return values_at(system_.graph, results, inputs_);
     }
 
-    /// Moves a state by the flow of a part over a time.
-    void move(const HamiltonianPart& part, double time, std::vector<double>& state) {
-        inputs_[system_.graph.at(system_.parts.value().duration).name] = time;
-        std::vector<Scaled> changes;
-        for (const Moved& moved : part.moved) { changes.push_back(moved.change); }
-        const std::vector<double> values = (*this)(changes, state);
-        for (std::size_t k = 0; k < values.size(); ++k) {
-            const Moved& moved = part.moved[k];
-            state[(moved.is_conjugate ? coordinates_ : 0) + moved.component] += values[k];
-        }
-    }
-
 private:
     const System& system_;
     InputValues inputs_;
     std::vector<Node> variables_;
-    std::size_t coordinates_;
 };
 
 /// Returns for each part but the last {A, {A, B}} and {B, {B, A}}.
@@ -142,6 +131,33 @@ std::vector<Scaled> nested_brackets(System& system) {
     return nested;
 }
 
+/// Returns the derivatives of all variables along the motion.
+std::vector<Scaled> rates_of(System& system) {
+    std::vector<Scaled> parts;
+    for (const HamiltonianPart& part : system.parts->parts) { parts.push_back(part.value); }
+    const Scaled H = system.graph.sum(std::move(parts));
+    BracketsInGraph bracket(system);
+    std::vector<Scaled> rates;
+    for (const Node node : variable_nodes(system)) { rates.push_back(bracket({{1, 1}, node}, H)); }
+    return rates;
+}
+
+/// Returns the state after a step of the classical Runge-Kutta method.
+std::vector<double> after_step(ValuesAtStates& values, const std::vector<Scaled>& rates, double h,
+                               const std::vector<double>& state) {
+    constexpr double nodes[] = {0, 0.5, 0.5, 1}, weights[] = {1, 2, 2, 1};
+    std::vector<double> result = state, slopes(state.size());
+    for (std::size_t i = 0; i < 4; ++i) {
+        std::vector<double> stage = state;
+        for (std::size_t k = 0; k < state.size(); ++k) { stage[k] += h * nodes[i] * slopes[k]; }
+        slopes = values(rates, stage);
+        for (std::size_t k = 0; k < state.size(); ++k) {
+            result[k] += h / 6 * weights[i] * slopes[k];
+        }
+    }
+    return result;
+}
+
 /// Returns the sum of |A|.
 double size_of_parts(const System& system, ValuesAtStates& values,
                      const std::vector<double>& state) {
@@ -150,6 +166,24 @@ double size_of_parts(const System& system, ValuesAtStates& values,
     double sum = 0;
     for (const double value : values(parts, state)) { sum += std::abs(value); }
     return sum;
+}
+
+double norm(const std::vector<double>& vector) {
+    double sum = 0;
+    for (const double each : vector) { sum += each * each; }
+    return std::sqrt(sum);
+}
+
+/// Returns the step in which strang has an error of about a hundredth by its brackets at the start,
+/// but at most half the time in which the state would change by its size.
+double distance_of_states(ValuesAtStates& values, const std::vector<Scaled>& nested,
+                          const std::vector<Scaled>& rates, const std::vector<double>& start,
+                          const System& system) {
+    double sizes = 0;
+    for (const double bracket : values(nested, start)) { sizes += std::abs(bracket) / 12; }
+    const double of_error =
+        std::sqrt(error_of_steps * size_of_parts(system, values, start) / sizes);
+    return std::min(of_error, norm(start) / (2 * norm(values(rates, start))));
 }
 
 }  // namespace
@@ -174,21 +208,18 @@ std::optional<double> split_error(System system, const WrittenOutScene& scene,
     return (most - least) / size;
 }
 
-std::optional<StatesOfMotion> states_of_strang(System system, const WrittenOutScene& scene) {
+std::optional<StatesOfMotion> states_of_motion(System system, const WrittenOutScene& scene) {
     if (scene.initial.empty()) { return {}; }
-    const std::vector<Scaled> nested = nested_brackets(system);
+    const std::vector<Scaled> nested = nested_brackets(system), rates = rates_of(system);
     ValuesAtStates values(system, scene);
     StatesOfMotion states{start_of_motion(scene)};
-    double sizes = 0;
-    for (const double bracket : values(nested, states.front())) { sizes += std::abs(bracket) / 12; }
-    const double h =
-        std::sqrt(error_of_steps * size_of_parts(system, values, states.front()) / sizes);
+    const double h = distance_of_states(values, nested, rates, states.front(), system);
     if (!std::isfinite(h) || !(h > 0)) { return {}; }
-    const std::vector<HamiltonianPart>& parts = system.parts.value().parts;
     for (std::size_t step = 0; step < steps_of_motion; ++step) {
         std::vector<double> state = states.back();
-        for (const HamiltonianPart& part : parts) { values.move(part, h / 2, state); }
-        for (std::size_t k = parts.size(); k-- > 0;) { values.move(parts[k], h / 2, state); }
+        for (std::size_t part = 0; part < parts_of_step; ++part) {
+            state = after_step(values, rates, h / static_cast<double>(parts_of_step), state);
+        }
         for (const double each : state) {
             if (!std::isfinite(each)) { return {}; }
         }

@@ -25,11 +25,11 @@ using StatesOfMotion = std::vector<std::vector<double>>;
 [[nodiscard]] std::optional<double> split_error(System system, const WrittenOutScene& scene,
                                                 const StatesOfMotion& states);
 
-/// Returns the start of a scene and the states after each of 128 steps of strang. Their size is
-/// such that the error of the energy is about a hundredth of it, so that they go through some
-/// periods. Returns nothing where the scene has no initial state, or a step no value. Precondition:
-/// the system has parts.
-[[nodiscard]] std::optional<StatesOfMotion> states_of_strang(System system,
+/// Returns the start of a scene and 128 states of its motion, at distances of steps of strang that
+/// have an error of the energy of about a hundredth, or shorter ones: some periods. Returns nothing
+/// where the scene has no initial state, or the motion no value. Precondition: the system has
+/// parts.
+[[nodiscard]] std::optional<StatesOfMotion> states_of_motion(System system,
                                                              const WrittenOutScene& scene);
 
 /// Returns the operations of the flows in a step of strang, with compensated sums, in additions.
