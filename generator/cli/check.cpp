@@ -1,6 +1,7 @@
 // `hvi-gen check`: proved properties of a method.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/cli/commands.hpp"
+#include "generator/cli/keeping.hpp"
 #include "generator/cli/method.hpp"
 #include "generator/render/certificate.hpp"
 #include "generator/render/stability_svg.hpp"
@@ -29,16 +30,15 @@ std::string plot(const Findings& findings, const Given& file) {
 }
 
 KeepingFacts facts_of(const Certificate& certificate) {
-    return {certificate.symplectic, certificate.common_weights, certificate.runge_kutta, false,
-            !certificate.splitting.empty()};
+    return {certificate.symplectic, certificate.common_weights, certificate.runge_kutta, false};
 }
 
 KeepingFacts facts_of(const RuleCertificate& certificate) {
     return {certificate.symplectic, {}, {false, true}, true};
 }
 
-SceneStatements statements_of(const CheckOptions& options, const Scene& scene,
-                              const KeepingFacts& facts) {
+SceneStatements statements_of(const CheckOptions& options, const Scene& scene, const Method& method,
+                              KeepingFacts facts) {
     SceneStatements of_scene;
     of_scene.name = title(scene);
     of_scene.left_out = "--no-symmetries is given";
@@ -46,16 +46,18 @@ SceneStatements statements_of(const CheckOptions& options, const Scene& scene,
         of_scene.found = symmetries_within_a_second(scene, options.system->sums);
         of_scene.left_out = symmetry_work_is_spent;
     }
-    if (of_scene.found) of_scene.statements = statements(*of_scene.found, facts);
+    if (!of_scene.found) return of_scene;
+    add_parts(facts, method, scene, options.system->sums, *of_scene.found);
+    of_scene.statements = statements(*of_scene.found, facts);
     return of_scene;
 }
 
-/// Writes `whole`, the result that contains `findings`.
-void write(const CheckOptions& options, const std::optional<Scene>& scene, const auto& findings,
-           const auto& whole) {
+/// Writes `whole`, the result that contains `findings`. `method`: an empty one for a tableau.
+void write(const CheckOptions& options, const std::optional<Scene>& scene, const Method& method,
+           const auto& findings, const auto& whole) {
     const Progress::Stage stage("writing the certificate");
     std::optional<SceneStatements> of_scene;
-    if (scene) { of_scene = statements_of(options, *scene, facts_of(findings)); }
+    if (scene) { of_scene = statements_of(options, *scene, method, facts_of(findings)); }
     const bool as_json = options.format == CheckOptions::Format::json;
     const std::string text = as_json ? render_json(whole, of_scene) : render_text(whole, of_scene);
     if (options.plot) { write_result(options.plot->text, plot(findings, options.plot)); }
@@ -70,7 +72,7 @@ void run(const CheckOptions& options) {
         if (options.system) { scene = read_scene_alone({}, *options.system); }
         const Audit found =
             audit(coefficients_of(*options.tableau, options.method), options.max_order);
-        write(options, scene, found.certificate, found);
+        write(options, scene, {}, found.certificate, found);
         return;
     }
     Method method;
@@ -81,8 +83,9 @@ void run(const CheckOptions& options) {
     } else {
         method = method_of(options.method);
     }
-    std::visit([&](const auto& certificate) { write(options, scene, certificate, certificate); },
-               certify(method, options.max_order));
+    std::visit(
+        [&](const auto& certificate) { write(options, scene, method, certificate, certificate); },
+        certify(method, options.max_order));
 }
 
 }  // namespace hvi::gen

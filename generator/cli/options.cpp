@@ -366,6 +366,10 @@ ListOptions list_options(const Words& words, const CommandLine& line) {
     if (const Given scene = words.value("SCENE")) {
         options.system.emplace().scene = scene;
         options.system->split = words.choice<SplitChoice>("--split");
+        if (options.system->split == SplitChoice::none)
+            throw InputError(
+                "there are no parts to list with --split none", whole(words.value("--split")),
+                "--split auto lists those that are found, and T(p) + U(q) beside them");
     }
     const bool takes_scene = options.topic == Topic::splits;
     if (takes_scene && !options.system)

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "generator/cli/commands.hpp"
+#include "generator/cli/keeping.hpp"
 #include "generator/cli/method.hpp"
 #include "generator/cli/run_wishes.hpp"
 #include "generator/cli/words.hpp"
@@ -215,13 +216,15 @@ void note_sweeps(Report& report, const SceneReport& scene) {
 
 /// Sets the verdicts on each method beside what was measured. NOTE: curves of methods come first,
 /// in the order of the methods; those of counted sweeps keep nothing for sure.
-void set_kept(SceneReport& of_scene, const Watched& watched,
-              const std::vector<StudiedMethod>& methods) {
+void set_kept(SceneReport& of_scene, const Subject& subject, const StudyWishes& wishes) {
+    const Watched& watched = subject.watched;
     const std::vector<std::string>& names = watched.names;
+    const std::vector<StudiedMethod>& methods = wishes.methods;
     for (std::size_t i = 0; i < methods.size() && i < of_scene.curves.size(); ++i) {
         WorkCurve& curve = of_scene.curves[i];
         KeepingFacts facts = keeping_facts(methods[i].base);
-        facts.has_flows = !methods[i].method.splitting.empty();
+        if (watched.found)
+            add_parts(facts, methods[i].method, subject.scene, wishes.sums, *watched.found);
         for (const Statement& statement : watched.statements(facts)) {
             const auto place = std::find(names.begin(), names.end(), statement.name);
             const auto at = static_cast<std::size_t>(place - names.begin());
@@ -249,7 +252,7 @@ void add_scenes(Report& report, Builds& builds, const std::vector<Subject>& subj
                   report.time_spent);
             note_reference(report, of_scene);
             note_sweeps(report, of_scene);
-            set_kept(of_scene, subject.watched, wishes.methods);
+            set_kept(of_scene, subject, wishes);
         } catch (const Error& error) {
             report.incomplete = name_of(subject) + ": " + error.what();
             if (of_scene.curves.empty()) report.scenes.pop_back();

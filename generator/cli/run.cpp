@@ -208,7 +208,8 @@ WishedRun watched_run(MethodAndScene both, const StepperWishes& wishes, const Ru
     SceneStepper stepper = scene_stepper(both.method, both.scene, wishes);
     RunSubject subject = run_subject(stepper);
     KeepingFacts facts = keeping_facts(stepper.method.base);
-    facts.has_flows = stepper.system.parts.has_value();
+    if (stepper.system.parts && watched.found)
+        facts.parts = kept_by_parts(*stepper.system.parts, unrolled(both.scene), *watched.found);
     std::vector<Statement> statements = watched.statements(facts);
     EventWishes events = events_of(both.scene, stepper, subject, options.columns);
     Monitors monitors = wished_monitors(both, stepper, wishes, options, runner);

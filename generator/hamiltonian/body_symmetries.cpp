@@ -7,6 +7,7 @@
 
 #include "generator/hamiltonian/affine_fields.hpp"
 #include "generator/hamiltonian/body_motion.hpp"
+#include "generator/hamiltonian/ginac_functions.hpp"
 #include "generator/hamiltonian/lie_algebra.hpp"
 #include "generator/hamiltonian/normal_form.hpp"
 #include "generator/hamiltonian/relations.hpp"
@@ -310,6 +311,11 @@ std::vector<QuantityFinding> body_findings(const Hamiltonian& hamiltonian,
         }
         const ex bracket = motion.bracket(I);
         finding.conserved = motion.vanishes(bracket);
+        // NOTE: derivatives do not see jumps.
+        const bool may_jump =
+            !where_it_may_jump(I).empty() && !I.is_equal(motion.algebra().function());
+        if (may_jump && finding.conserved == Vanishing::proved)
+            finding.conserved = Vanishing::unknown;
         if (finding.conserved != Vanishing::proved)
             finding.bracket = motion.algebra().written(multiplied_out(bracket));
     }

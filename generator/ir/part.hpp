@@ -50,7 +50,21 @@ struct HamiltonianPart {
     std::optional<UsualFlow> usual;  ///< with fewer operations
     std::vector<RuntimeValues> in_each_flow = {};  ///< that the changes are computed from
     std::vector<FormMoved> forms = {};
+    Scaled value = {};      ///< of the part
+    std::string text = {};  ///< that tells more than a long expression; may be empty
 };
+
+/// What stands for a part that is found and has more than two thousand words.
+inline constexpr const char* too_long_part = "...";
+[[nodiscard]] inline bool is_too_long(const HamiltonianPart& part) {
+    return part.expression.kind == Expression::Kind::symbol &&
+           part.expression.name == too_long_part;
+}
+
+/// Returns what users are shown of a part.
+[[nodiscard]] inline std::string text_of(const HamiltonianPart& part) {
+    return part.text.empty() ? to_text(part.expression) : part.text;
+}
 
 /// Parts whose sum is H. The change of a part over the time h is exact.
 struct HamiltonianParts {

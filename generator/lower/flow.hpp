@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "generator/ir/part.hpp"
+#include "generator/lower/kernel.hpp"
 
 namespace hvi::gen {
 
@@ -18,5 +19,14 @@ struct Flow {
     std::vector<RuntimeValues> in_each_flow = {};
     std::vector<FormMoved> forms = {};
 };
+
+/// Values that the runtime computes for one orbit: f - 1, g - tau, f' and g' - 1.
+inline constexpr std::size_t changes_of_orbit = 4;
+
+/// Returns the operations of a flow, but for those of compensated sums.
+[[nodiscard]] OperationCounts counts_of_flow(const Graph& graph, const HamiltonianPart& part);
+
+/// Returns how many numbers a flow moves.
+[[nodiscard]] std::size_t numbers_moved(const HamiltonianPart& part);
 
 }  // namespace hvi::gen

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "generator/graph/replaced.hpp"
+#include "generator/graph/written.hpp"
 #include "generator/lower/constancy.hpp"
 #include "generator/lower/derivative.hpp"
 #include "generator/lower/flows.hpp"
@@ -294,10 +295,11 @@ private:
     // ---- parts ----
 
     /// Adds a part. NOTE: a short text tells more than pages of terms.
-    void add(const std::string& name, const std::string& text, Flow flow) {
-        parts_.parts.push_back({name, Expression::symbol(text), std::move(flow.kind),
-                                std::move(flow.moved), std::move(flow.usual),
-                                std::move(flow.in_each_flow), std::move(flow.forms)});
+    void add(const std::string& name, const std::string& text, const Scaled& value, Flow flow) {
+        const auto expression = written(graph_, value);
+        parts_.parts.push_back({name, expression.value_or(Expression::symbol(too_long_part)),
+                                std::move(flow.kind), std::move(flow.moved), std::move(flow.usual),
+                                std::move(flow.in_each_flow), std::move(flow.forms), value, text});
     }
 
     /// Adds a part that moves p alone, or q alone.
@@ -306,14 +308,25 @@ private:
         if (const auto* none = std::get_if<NoFlow>(&flow))
             throw MathError("what is left beside the orbits has no known flow: " + none->reason,
                             place_);
-        add(name, text, std::get<Flow>(std::move(flow)));
+        add(name, text, value, std::get<Flow>(std::move(flow)));
     }
 
     void add_orbits(const OrbitForm& form) {
         if (!are_apart(graph_, form))
             throw MathError("it is not proved that the orbits do not couple", place_,
                             "give masses as numbers, or as parameters without functions");
-        add("A", "T - sum_j k_j/|Q_j|", flow_of_orbits(graph_, form, q_, p_, parts_.duration));
+        std::vector<Scaled> terms{kinetic_energy(form.kinetic)};
+        for (const Attraction& attraction : form.attractions)
+            terms.push_back(graph_.times({-1, 1}, over_distance(attraction)));
+        add("A", "T - sum_j k_j/|Q_j|", graph_.sum(std::move(terms)),
+            flow_of_orbits(graph_, form, q_, p_, parts_.duration));
+    }
+
+    [[nodiscard]] Scaled kinetic_energy(const std::vector<LinearForm>& K) {
+        std::vector<Scaled> terms;
+        for (std::size_t a = 0; a < p_.size(); ++a)
+            terms.push_back(graph_.product({{1, 1}, p_[a]}, applied(K[a], p_)));
+        return graph_.times({1, 2}, graph_.sum(std::move(terms)));
     }
 
     [[nodiscard]] Scaled applied(const LinearForm& form, const std::vector<Node>& variables) {

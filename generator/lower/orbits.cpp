@@ -241,7 +241,7 @@ public:
         for (const auto* more : {&products, &speeds, &strengths})
             values.given.insert(values.given.end(), more->begin(), more->end());
         values.given.push_back(tau_);
-        for (std::size_t kind = 0; kind < 4; ++kind)
+        for (std::size_t kind = 0; kind < changes_of_orbit; ++kind)
             for (std::size_t j = 0; j < count; ++j) values.results.push_back(change(kind, j).node);
         std::vector<Moved> moved;
         for (std::size_t a = 0; a < of_q_.size(); ++a)

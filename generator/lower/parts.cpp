@@ -55,9 +55,9 @@ void add_terms(Graph& graph, const Scaled& value, const Scaled& factor,
     terms.push_back(graph.product(scaled, {{1, 1}, value.node}));
 }
 
-/// Returns the expression; empty text is a long one.
+/// Returns the expression, or what stands for a long one.
 Expression expression_of(const Graph& graph, const Scaled& value) {
-    return written(graph, value).value_or(Expression::symbol("..."));
+    return written(graph, value).value_or(Expression::symbol(too_long_part));
 }
 
 class PartsOfSystem {
@@ -68,9 +68,11 @@ public:
         parts_.duration = system_.graph.input(new_name("tau", taken), Role::parameter).node;
     }
 
-    [[nodiscard]] System operator()() && {
+    [[nodiscard]] System operator()(FoundParts found) && {
         if (scene_.split) {
             read_parts(*scene_.split);
+        } else if (found == FoundParts::kinetic_potential) {
+            set_kinetic_and_potential();
         } else {
             find_parts();
         }
@@ -79,7 +81,7 @@ public:
     }
 
 private:
-    /// Adds the parts that the scene names.
+    /// Adds the parts that the scene names. NOTE: of terms with roots, equal ones vanish as nodes.
     void read_parts(const SceneSplit& split) {
         const Symbols symbols = symbols_of(system_, scene_);
         std::vector<Scaled> rest;
@@ -93,7 +95,7 @@ private:
                     fmt::format("the flow of `{}` is not known: {}", part.name, none->reason),
                     part.place, help_for_flows);
             }
-            add(part.name, part.expression, std::get<Flow>(std::move(flow)));
+            add(part.name, part.expression, value, std::get<Flow>(std::move(flow)));
         }
         parts_.small_steps = split.small_steps;
         check_sum(system_.graph.sum(std::move(rest)), split.place);
@@ -127,7 +129,23 @@ private:
             flows.push_back(flow_of_term(term));
         }
         for (std::size_t k = 0; k < sums.size(); ++k) {
-            add(name_of(k), expression_of(system_.graph, sums[k]), std::move(flows[k]));
+            add(name_of_part(k), expression_of(system_.graph, sums[k]), sums[k],
+                std::move(flows[k]));
+        }
+    }
+
+    /// Adds T(p) and U(q).
+    void set_kinetic_and_potential() {
+        std::vector<Scaled> of_p, of_q;
+        for (const Scaled& term : terms()) {
+            const bool is_of_p = has(system_.graph.at(term.node).roles, Role::conjugate);
+            (is_of_p ? of_p : of_q).push_back(term);
+        }
+        for (std::vector<Scaled>* all : {&of_p, &of_q}) {
+            if (all->empty()) { continue; }
+            const Scaled sum = system_.graph.sum(std::move(*all));
+            add(name_of_part(parts_.parts.size()), expression_of(system_.graph, sum), sum,
+                flow_of_term(sum));
         }
     }
 
@@ -170,16 +188,10 @@ private:
             "name parts in a section [split], or take an implicit method: gauss:2");
     }
 
-    /// Returns A, B, ..., Z, then P27, P28, ...
-    [[nodiscard]] static std::string name_of(std::size_t k) {
-        constexpr std::size_t letters = 26;
-        return k < letters ? std::string(1, static_cast<char>('A' + k)) : fmt::format("P{}", k + 1);
-    }
-
-    void add(std::string name, Expression expression, Flow flow) {
+    void add(std::string name, Expression expression, const Scaled& value, Flow flow) {
         parts_.parts.push_back({std::move(name), std::move(expression), std::move(flow.kind),
                                 std::move(flow.moved), std::move(flow.usual),
-                                std::move(flow.in_each_flow), std::move(flow.forms)});
+                                std::move(flow.in_each_flow), std::move(flow.forms), value});
     }
 
     static constexpr const char* help_for_flows =
@@ -194,8 +206,13 @@ private:
 
 }  // namespace
 
-System with_parts(System system, const WrittenOutScene& scene) {
-    return PartsOfSystem(std::move(system), scene)();
+std::string name_of_part(std::size_t k) {
+    constexpr std::size_t letters = 26;
+    return k < letters ? std::string(1, static_cast<char>('A' + k)) : fmt::format("P{}", k + 1);
+}
+
+System with_parts(System system, const WrittenOutScene& scene, FoundParts found) {
+    return PartsOfSystem(std::move(system), scene)(found);
 }
 
 }  // namespace hvi::gen

@@ -2,16 +2,29 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include <cstddef>
+#include <string>
+
 #include "generator/ir/system.hpp"
 #include "generator/read/written_out_scene.hpp"
 
 namespace hvi::gen {
 
-/// Returns the system with the parts that its scene names, or else with parts that are found: the
-/// terms of H, in their order, each in the first part that still has a known flow with it. Throws
+/// Returns the name of a part that is found: A, B, ..., Z, then P27, P28, ...
+[[nodiscard]] std::string name_of_part(std::size_t k);
+
+/// The ways in which terms of H become parts.
+enum class FoundParts {
+    by_terms,           ///< each in the first part that still has a known flow with it
+    kinetic_potential,  ///< T(p), then U(q)
+};
+
+/// Returns the system with the parts that its scene names, or else with parts that are found
+/// among the terms of H, in their order. Throws
 /// InputError for parts whose sum is not H, with the difference, and MathError for a part whose
-/// flow is not known. Precondition: the system is that of the scene, which is written out, a
-/// Hamiltonian, and not in scaled time.
-[[nodiscard]] System with_parts(System system, const WrittenOutScene& scene);
+/// flow is not known. Preconditions: the system is that of the scene, which is written out, a
+/// Hamiltonian, and not in scaled time; H = T(p) + U(q) if these are to be found.
+[[nodiscard]] System with_parts(System system, const WrittenOutScene& scene,
+                                FoundParts found = FoundParts::by_terms);
 
 }  // namespace hvi::gen

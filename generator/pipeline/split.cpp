@@ -3,11 +3,12 @@
 
 #include <fmt/format.h>
 
+#include <utility>
 #include <variant>
 
 #include "generator/lower/orbit_coordinates.hpp"
-#include "generator/lower/parts.hpp"
 #include "generator/pipeline/refusals.hpp"
+#include "generator/symmetry/kept_by_parts.hpp"
 
 namespace hvi::gen {
 
@@ -24,7 +25,8 @@ void check_small_steps(const WrittenOutScene& scene, const Method& method) {
 
 }  // namespace
 
-System in_parts(const LoweredScene& scene, const Method& method, const StepperWishes& wishes) {
+std::vector<SplitCandidate> ways_to_split(const LoweredScene& scene, const Method& method,
+                                          const StepperWishes& wishes) {
     check_splitting(scene.system, method, wishes, scene.place());
     const std::size_t numbers =
         coordinate_nodes(scene.system).size() + conjugate_nodes(scene.system).size();
@@ -34,9 +36,15 @@ System in_parts(const LoweredScene& scene, const Method& method, const StepperWi
                          method.place, "take a method that is no splitting: gauss:2");
     const auto* choice = std::get_if<SplitChoice>(&scene.scene.split);
     if (choice != nullptr && is_of_orbits(*choice))
-        return with_orbits(scene.system, *choice, scene.place());
+        return {{"orbits", with_orbits(scene.system, *choice, scene.place())}};
     check_small_steps(*scene.written, method);
-    return with_parts(scene.system, *scene.written);
+    return split_candidates(scene.system, *scene.written);
+}
+
+System in_parts(const LoweredScene& scene, const Method& method, const StepperWishes& wishes) {
+    std::vector<SplitCandidate> all = ways_to_split(scene, method, wishes);
+    if (all.size() > 1) measure(all, *scene.written);
+    return std::move(all[chosen_split(all)].system);
 }
 
 std::optional<System> system_in_parts(const Method& method, const LoweredScene& scene,
@@ -53,6 +61,20 @@ std::optional<System> system_in_parts(const Method& method, const LoweredScene& 
         throw InputError("--split none steps H = T(p) + U(q), and this H is no such sum",
                          method.place, "without it parts of H are found, or those of [split]");
     return in_parts(scene, method, wishes);
+}
+
+std::vector<std::string> kept_by_flows(const System& system, const LoweredScene& scene) {
+    if (!system.parts || scene.written->invariants.empty()) return {};
+    Hamiltonian H = hamiltonian_of(*scene.written);
+    H.parameters.clear();
+    std::vector<Quantity> quantities;
+    for (const NamedExpression& invariant : scene.written->invariants)
+        quantities.push_back({invariant.expression, invariant.place.source});
+    const KeptByParts found = kept_by_parts(*system.parts, H, quantities);
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < quantities.size(); ++i)
+        if (is_kept_by_all(found.brackets[i])) names.push_back(scene.written->invariants[i].name);
+    return names;
 }
 
 }  // namespace hvi::gen

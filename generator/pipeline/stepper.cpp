@@ -150,6 +150,7 @@ SceneStepper stepper_of(const Method& wished, MethodAndCurve derived, const Lowe
                               {.class_name = name,
                                .command = command,
                                .note = wishes.note,
+                               .kept = kept_by_flows(system, scene),
                                .system = &system,
                                .wishes = members,
                                .evaluations = evaluations ? &*evaluations : nullptr});

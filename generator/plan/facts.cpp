@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "generator/lower/flow.hpp"
+
 namespace hvi::gen {
 
 namespace {
@@ -141,22 +143,6 @@ std::vector<std::string> facts_of_scaled_time(const System& system) {
             "H here is K = " + to_text(system.expression)};
 }
 
-/// Returns the work of a flow.
-OperationCounts counts_of(const Graph& graph, const HamiltonianPart& part) {
-    std::vector<Scaled> changes;
-    for (const Moved& moved : part.usual ? part.usual->moved : part.moved) {
-        changes.push_back(moved.change);
-    }
-    OperationCounts counts = kernel(graph, std::move(changes)).counts;
-    for (const FormMoved& form : part.forms) {
-        // NOTE: an entry of the matrix has two parts, and its sum keeps what is cut off.
-        const std::size_t entries = 4 * form.degrees.size() * form.degrees.size();
-        counts.multiplications += 2 * entries;
-        counts.additions += 8 * entries;
-    }
-    return counts;
-}
-
 /// Returns the parts of H, and the work of their flows.
 std::vector<std::string> costs_of_flows(const System& system, const FlowStep& form) {
     std::vector<std::string> result{"no unknowns: nothing is solved for"};
@@ -165,9 +151,9 @@ std::vector<std::string> costs_of_flows(const System& system, const FlowStep& fo
     for (std::size_t k = 0; k < parts.size(); ++k) {
         const HamiltonianPart& part = parts[k];
         result.push_back(fmt::format("flow of {} = {}, {}, {} in a step: {}", parts[k].name,
-                                     to_text(parts[k].expression), part.flow,
+                                     text_of(part), part.flow,
                                      counts[k] == 1 ? "once" : fmt::format("{} times", counts[k]),
-                                     text(counts_of(system.graph, part))));
+                                     text(counts_of_flow(system.graph, part))));
     }
     return result;
 }

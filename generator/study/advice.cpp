@@ -18,6 +18,7 @@
 #include "generator/study/eventful.hpp"
 #include "generator/study/large_reference.hpp"
 #include "generator/study/path_to_accuracy.hpp"
+#include "generator/study/raced_splittings.hpp"
 #include "generator/support/bar.hpp"
 #include "generator/support/error.hpp"
 
@@ -47,12 +48,15 @@ std::vector<int> sweeps_for(double accuracy) {
 ComposedMethod named(const char* name) { return composed_method(given("--accuracy", name)); }
 
 /// Candidates; explicit ones first, where there are any.
-std::vector<Candidate> candidates(const Structure& structure, const AdviceWishes& wishes) {
+std::vector<Candidate> candidates(const LoweredScene& scene, const AdviceWishes& wishes) {
     std::vector<Candidate> all;
-    if (structure.is_separable)
+    if (scene.system.structure.is_separable)
         for (const char* name : explicit_methods)
             if (ComposedMethod method = named(name); !wishes.has_curve || !method.composition)
                 all.push_back({studied(exact_method(std::move(method)))});
+    if (!wishes.has_curve && !wishes.has_action)
+        for (const char* name : raced_splittings(scene))
+            all.push_back({studied(exact_method(named(name)))});
     for (const char* name : implicit_methods) all.push_back({studied(exact_method(named(name)))});
     return all;
 }
@@ -283,9 +287,8 @@ FoundReference good_reference(const Build& quadruple, const Contender& contender
 /// An advice on the way: what is compiled, and what is said meanwhile.
 class Adviser {
 public:
-    Adviser(std::string scene, const Structure& structure, const AdviceWishes& wishes)
-        : scene_(std::move(scene)) {
-        advice_.candidates = candidates(structure, wishes);
+    Adviser(const LoweredScene& scene, const AdviceWishes& wishes) : scene_(scene.scene.name) {
+        advice_.candidates = candidates(scene, wishes);
         if (!wishes.has_action) sweeps_ = sweeps_for(wishes.accuracy);
         parts_ = static_cast<double>(2 * advice_.candidates.size() + 2);
         show("deriving and writing steppers");
@@ -365,7 +368,7 @@ private:
 };
 
 Advice advice_written_out(Builds& builds, const LoweredScene& scene, const AdviceWishes& wishes) {
-    Adviser adviser(scene.scene.name, scene.system.structure, wishes);
+    Adviser adviser(scene, wishes);
     const Build quadruple =
         wishes.accuracy < coarsest_of_quadruple ? reference_build(builds, scene) : Build();
     adviser.compile([&](const Candidate& candidate) {
@@ -386,7 +389,7 @@ Advice advice_written_out(Builds& builds, const LoweredScene& scene, const Advic
 
 /// Beside a reference in long double, or its exact one.
 Advice advice_with_loops(Builds& builds, const LoweredScene& scene, const AdviceWishes& wishes) {
-    Adviser adviser(scene.scene.name, scene.system.structure, wishes);
+    Adviser adviser(scene, wishes);
     const LargeReference large(builds, scene.scene, wishes.until);
     adviser.compile([&](const Candidate& candidate) {
         return contender(builds, candidate.method, scene, candidate.solver, candidate.sweeps);
@@ -415,7 +418,7 @@ Advice advice_eventful(Builds& builds, const LoweredScene& scene, const AdviceWi
                          scene.scene.place,
                          "--unroll yes writes the sums out, up to 256 degrees of freedom");
     constexpr std::int64_t far_more = 16;
-    Adviser adviser(scene.scene.name, scene.system.structure, wishes);
+    Adviser adviser(scene, wishes);
     const EventfulRuns runs(scene, wishes.until);
     const Contender fine = eventful_reference_contender(builds, scene);
     adviser.compile([&](const Candidate& candidate) {

@@ -40,23 +40,18 @@ std::string reason_not_to(const QuantityFinding& finding, const KeepingFacts& me
     return "quadratic in q alone or in p alone, and A differs from A~";
 }
 
+constexpr const char* not_known = "it is not known whether the motion conserves it";
+
 Statement statement(const ConservedQuantity& quantity, const KeepingFacts& method,
                     bool has_rotations) {
     Statement result{quantity.name, quantity.expression, Keeping::unknown, ""};
     switch (quantity.finding.conserved) {
-    case Vanishing::unknown:
-        result.reason = "it is not known whether the motion conserves it";
-        return result;
+    case Vanishing::unknown: result.reason = not_known; return result;
     case Vanishing::refuted:
         result.keeping = Keeping::not_conserved;
         result.reason = not_zero(quantity);
         return result;
     case Vanishing::proved: break;
-    }
-    if (method.has_flows) {
-        result.keeping = Keeping::measured;
-        result.reason = "flows of parts of H keep what every part keeps, which is not looked at";
-        return result;
     }
     result.reason = has_rotations ? reason_of_bodies(quantity.finding, method)
                                   : reason_to_keep(quantity.finding, method);
@@ -87,6 +82,55 @@ void look_at_parts(std::vector<Statement>& all, std::size_t number,
         whole.reason += (part == parts.front() ? " " : ", ") + all[part].name;
 }
 
+/// Returns the energy as a quantity, which the motion conserves.
+ConservedQuantity energy_of_parts(const SceneSymmetries& found) {
+    if (found.energy) return *found.energy;
+    ConservedQuantity energy{
+        ConservedQuantity::Kind::energy, "energy", Expression::symbol("energy"), {}, {}};
+    energy.finding.conserved = Vanishing::proved;
+    return energy;
+}
+
+/// Returns what splittings keep.
+Statement statement_on_flows(const ConservedQuantity& quantity, const KeptByParts& parts,
+                             const BracketsWithParts& brackets) {
+    Statement result{quantity.name, quantity.expression, Keeping::unknown, not_known};
+    const Vanishing conserved = quantity.finding.conserved;
+    const std::string refuted = names_of_parts(parts, brackets, Vanishing::refuted);
+    if (is_kept_by_all(brackets)) {
+        result.keeping = Keeping::kept;
+        result.reason = "the flow of each part of H keeps it";
+    } else if (conserved == Vanishing::refuted) {
+        result.keeping = Keeping::not_conserved;
+        result.reason = not_zero(quantity);
+    } else if (conserved == Vanishing::proved && !refuted.empty()) {
+        result.keeping = Keeping::not_in_general;
+        result.reason = "its bracket is not zero with " + refuted;
+    } else if (conserved == Vanishing::proved) {
+        result.keeping = Keeping::measured;
+        result.reason = "it is not seen whether its bracket is zero with " +
+                        names_of_parts(parts, brackets, Vanishing::unknown);
+    }
+    return result;
+}
+
+std::vector<Statement> of_flows(const SceneSymmetries& found, const KeptByParts& parts) {
+    std::vector<Statement> result;
+    const std::vector<const ConservedQuantity*> all = quantities_of(found);
+    for (std::size_t i = 0; i < all.size(); ++i)
+        result.push_back(statement_on_flows(*all[i], parts, parts.brackets[i]));
+    result.push_back(statement_on_flows(energy_of_parts(found), parts, parts.brackets.back()));
+    return result;
+}
+
+/// Returns why the method makes no steps of such an H; empty where it does.
+std::string obstacle_to_steps(const SceneSymmetries& found, const KeepingFacts& method) {
+    const bool is_stepped = !method.is_general_form || found.side == Side::lagrangian ||
+                            !found.rank || found.is_regular();
+    return is_stepped ? method.obstacle
+                      : "d2H/dp2 is singular, and the general form makes no steps of such an H";
+}
+
 }  // namespace
 
 KeepingFacts keeping_facts(const DerivedMethod& method) {
@@ -97,25 +141,20 @@ KeepingFacts keeping_facts(const DerivedMethod& method) {
 }
 
 std::vector<Statement> statements(const SceneSymmetries& found, const KeepingFacts& method) {
-    std::vector<const ConservedQuantity*> all;
-    for (const ConservedQuantity& map : found.momentum_maps) all.push_back(&map);
-    for (const ConservedQuantity& invariant : found.invariants) all.push_back(&invariant);
-    for (const ConservedQuantity& field : found.fields) all.push_back(&field);
+    if (method.parts) return of_flows(found, *method.parts);
+    std::vector<const ConservedQuantity*> all = quantities_of(found);
     if (found.energy) all.push_back(&*found.energy);
     std::vector<Statement> result;
     for (const ConservedQuantity* quantity : all)
         result.push_back(statement(*quantity, method, found.rotations > 0));
-    const bool is_stepped = !method.is_general_form || found.side == Side::lagrangian ||
-                            !found.rank || found.is_regular();
-    if (!is_stepped) {
+    if (const std::string obstacle = obstacle_to_steps(found, method); !obstacle.empty()) {
         for (Statement& each : result) {
             each.keeping = Keeping::unknown;
-            each.reason = "d2H/dp2 is singular, and the general form makes no steps of such an H";
+            each.reason = obstacle;
         }
         return result;
     }
-    for (std::size_t i = 0; i < all.size() && !method.has_flows; ++i)
-        look_at_parts(result, i, all[i]->finding.made_of);
+    for (std::size_t i = 0; i < all.size(); ++i) look_at_parts(result, i, all[i]->finding.made_of);
     if (!found.energy && !found.depends_on_time)
         result.push_back({"energy", Expression::symbol("energy"), Keeping::not_in_general,
                           found.rotations > 0 ? "it is no momentum map"

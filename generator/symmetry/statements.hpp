@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "generator/exact/methods/galerkin_rule.hpp"
 #include "generator/exact/numbers/verdict.hpp"
+#include "generator/symmetry/kept_by_parts.hpp"
 #include "generator/symmetry/symmetries.hpp"
 
 namespace hvi::gen {
@@ -17,15 +19,16 @@ struct KeepingFacts {
     Verdict common_weights;  ///< b == b~
     Verdict runge_kutta;     ///< A == A~
     bool is_general_form = false;
-    bool has_flows = false;  ///< whether steps are flows of parts of H
+    std::optional<KeptByParts> parts = {};  ///< of the scene, where steps are flows of these
+    std::string obstacle = {};              ///< why the method has no steps of this scene; or empty
 };
 [[nodiscard]] KeepingFacts keeping_facts(const DerivedMethod& method);
 
 enum class Keeping {
     kept,            ///< by each step, up to rounding and the solver's tolerance
     not_in_general,  ///< no known property of the method would keep it
-    measured,        ///< the momentum map of a symmetry that is not affine, or kept by steps that
-                     ///< are flows of parts of H where each of the parts keeps it: runs measure it
+    measured,        ///< the momentum map of a symmetry that is not affine, or it is not seen
+                     ///< whether flows of parts of H keep it: runs measure it
     not_conserved,   ///< the exact motion does not conserve it at all energies; it may at some
     unknown,         ///< whether the motion conserves it is not known
 };
@@ -49,6 +52,7 @@ struct Statement {
 /// - with p^T S p and q^T R q as well, all of these methods keep it where S H_q = 0 and R H_p = 0:
 ///   the sums over stages that change these terms have such factors;
 /// - a polynomial in kept quantities is kept;
+/// - flows of parts of H keep what has no bracket with any part;
 /// - with rotations, momentum maps alone are kept: natural charts commute with rotations of space
 ///   and of the body (Lemma 5.5).
 [[nodiscard]] std::vector<Statement> statements(const SceneSymmetries& found,

@@ -11,6 +11,13 @@ std::string not_zero(const ConservedQuantity& quantity) {
            " is not zero as a function of q and p";
 }
 
+std::vector<const ConservedQuantity*> quantities_of(const SceneSymmetries& found) {
+    std::vector<const ConservedQuantity*> all;
+    for (const auto* list : {&found.momentum_maps, &found.invariants, &found.fields})
+        for (const ConservedQuantity& each : *list) all.push_back(&each);
+    return all;
+}
+
 SceneSymmetries find_symmetries(const Scene& scene, const UnrollWish& wish) {
     return by_unrolling(
         scene, wish, [&](const UnrollDecision&) { return symmetries_of_families(scene); },

@@ -51,6 +51,9 @@ struct SceneSymmetries {
     [[nodiscard]] bool is_regular() const { return rank == degrees_of_freedom; }
 };
 
+/// Returns momentum maps, invariants and those of [symmetries].
+[[nodiscard]] std::vector<const ConservedQuantity*> quantities_of(const SceneSymmetries& found);
+
 /// The most degrees of freedom for which symmetries of a scene without loops are sought.
 constexpr std::size_t most_degrees_of_symmetries = 64;
 

@@ -22,15 +22,6 @@ namespace {
 /// The largest mass matrix of a Lagrangian that is inverted.
 constexpr std::size_t most_inverted = 3;
 
-/// Gives a Hamiltonian or Lagrangian the values of all parameters of the scene.
-template <class Mechanics>
-Mechanics with_values(Mechanics mechanics, const WrittenOutScene& scene) {
-    mechanics.parameters.clear();
-    for (const Parameter& parameter : scene.parameters)
-        if (has_value(parameter)) mechanics.parameters.push_back(parameter);
-    return mechanics;
-}
-
 /// Expressions for some of the symbols.
 using Meanings = std::map<std::string, Expression>;
 

@@ -96,12 +96,14 @@ std::string negative_weights(const NumberVector& b) {
     return names;
 }
 
-std::string_view conserved_text(const Step& step) {
+std::string conserved_text(const Step& step, const std::vector<std::string>& kept) {
     if (std::holds_alternative<ChartStep>(step.form)) {
         return "In natural charts, which conserves momentum maps of rotations of space.";
     }
     if (std::holds_alternative<FlowStep>(step.form)) {
-        return "Flows of parts of H in turn, which conserve what all parts conserve.";
+        return fmt::format("Flows of parts of H in turn, which conserve what all parts "
+                           "conserve{}{}.",
+                           kept.empty() ? "" : ": ", fmt::join(kept, ", "));
     }
     switch (step.partner) {
     case Partner::same:
@@ -153,14 +155,16 @@ std::string_view functions_of(const Step& step) {
     return step.is_separable() ? "separable Hamiltonians" : "general Hamiltonians";
 }
 
-std::string method_text(const Tableau& tableau, const Step& step) {
+std::string method_text(const Tableau& tableau, const Step& step,
+                        const std::vector<std::string>& kept) {
     return described(tableau.provenance,
                      fmt::format("symplectic, {} stage{}, for {}", tableau.stages(),
                                  tableau.stages() == 1 ? "" : "s", functions_of(step)),
-                     conserved_text(step), tableau.b, step);
+                     conserved_text(step, kept), tableau.b, step);
 }
 
-std::string method_text(const GalerkinRule& rule, const Step& step) {
+std::string method_text(const GalerkinRule& rule, const Step& step,
+                        const std::vector<std::string>& /*kept*/) {
     const bool is_general = std::holds_alternative<GalerkinStep>(step.form);
     return described(rule.provenance,
                      fmt::format("symplectic, {} function{} and {} nodes, for {}", rule.functions(),
@@ -214,7 +218,8 @@ std::string banner(const OneStepMethod& method, const Step& step, const EmitOpti
         fill("banner.hpp.in",
              {{"version", std::string(version)},
               {"command", one_line(options.command) + note_text(options)},
-              {"method", of_base([&](const auto& base) { return method_text(base, step); })},
+              {"method",
+               of_base([&](const auto& base) { return method_text(base, step, options.kept); })},
               {"numbers", of_base([&](const auto& base) { return numbers_text(base, step); })},
               {"scene", options.evaluations == nullptr
                             ? std::string()

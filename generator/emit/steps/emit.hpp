@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "generator/emit/system/scene_code.hpp"
 #include "generator/ir/one_step_method.hpp"
@@ -18,11 +19,12 @@ enum class SeldomSolvers {
 };
 
 struct EmitOptions {
-    std::string class_name;          ///< checked by check_class_name()
-    std::string command;             ///< the command line that writes the same header again
-    std::string note = {};           ///< a line below the command; or empty
-    const System* system = nullptr;  ///< system of the scene; null: a class of the user
-    SceneWishes wishes = {};         ///< members wished for
+    std::string class_name;              ///< checked by check_class_name()
+    std::string command;                 ///< the command line that writes the same header again
+    std::string note = {};               ///< a line below the command; or empty
+    std::vector<std::string> kept = {};  ///< invariants that the flow of each part of H keeps
+    const System* system = nullptr;      ///< system of the scene; null: a class of the user
+    SceneWishes wishes = {};             ///< members wished for
     const Evaluations* evaluations = nullptr;  ///< for a system that is written out
     SeldomSolvers seldom = SeldomSolvers::within;
     std::string parameters_of = {};  ///< an earlier class whose parameters it takes; or empty

@@ -47,7 +47,7 @@ public:
         names_.write_data(data);
         Writer writer(1);
         writer.comment(fmt::format("Flow of the part {} = {} of H over a time: {}.", part_.name,
-                                   to_text(part_.expression), part_.flow),
+                                   text_of(part_), part_.flow),
                        "/// ");
         writer.open("struct {} {{", name_).line("{}() = default;", name_);
         writer.open("{}([[maybe_unused]] const Parameters& parameters, [[maybe_unused]] Scalar "

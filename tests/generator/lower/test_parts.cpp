@@ -172,6 +172,9 @@ TEST_CASE("parts that are named have to be H") {
                           "[split]\nA = \"sum(i=1..2, (px^2 + i*py^2)/(2*a))\"\n"
                           "B = \"b*(x + y)/2 + x^4\"\n"))
               .size() == 2);
+    CHECK(flows_of(planar("(px^2 + py^2)/2 - a/sqrt(x^2 + y^2)",
+                          "[split]\nA = \"(px^2 + py^2)/2\"\nB = \"-a/sqrt(x^2 + y^2)\"\n"))
+              .size() == 2);
     const auto wrong = error_of<InputError>(with("A = \"(px^2 + py^2)/2\"\nB = \"x^2*y^2\"\n"));
     CHECK(std::string(wrong.what()) == "the parts do not add up to the Hamiltonian");
     CHECK(wrong.help().find("H minus their sum is ") != std::string::npos);

@@ -173,6 +173,7 @@ TEST_CASE("a command line that cannot be read: status 2") {
         {2, "", {"stepper", "--method", "gauss:2", "--name", "_Reserved"}},
         {2, "", {"stepper", "--method", "gauss:2", "--name", ""}},
         {2, "method", {"list", "method"}},
+        {2, "none", {"list", "splits", "heavy-top", "--split", "none"}},
         {2, "nodes", {"list", "bases", "nodes"}},
         {2, "", {"completions"}},
         {2, "tcsh", {"completions", "tcsh"}},
