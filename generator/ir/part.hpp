@@ -52,6 +52,7 @@ struct HamiltonianPart {
     std::vector<FormMoved> forms = {};
     Scaled value = {};      ///< of the part
     std::string text = {};  ///< that tells more than a long expression; may be empty
+    std::vector<Expression> made_of = {};  ///< functions that it is a function of; may be empty
 };
 
 /// What stands for a part that is found and has more than two thousand words.

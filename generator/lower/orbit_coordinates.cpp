@@ -195,19 +195,22 @@ public:
     [[nodiscard]] System operator()(SplitChoice coordinates) && {
         const bool is_jacobi = coordinates == SplitChoice::jacobi;
         OrbitForm form{of_coordinates(is_jacobi ? masses_alone() : without_first()), {}};
+        std::vector<Scaled> squares;  // of multiples of Q_j
         for (std::size_t j = 1; j < count(); ++j) {
             Scaled strength = Graph::number(0);
             for (const AttractingPair& pair : bodies_.pairs)
                 if (pair.second == j && (is_jacobi || pair.first == 0))
                     strength = graph_.sum({strength, pair.strength});
-            if (!is_proved_zero(graph_, strength))
-                form.attractions.push_back(
-                    {components(is_jacobi ? from_centre(j) : from_first(j)), strength});
+            if (is_proved_zero(graph_, strength)) continue;
+            form.attractions.push_back(
+                {components(is_jacobi ? from_centre(j) : from_first(j)), strength});
+            squares.push_back(
+                square(components(is_jacobi ? multiple_from_centre(j) : from_first(j))));
         }
         if (form.attractions.empty())
             throw MathError("no body is attracted by the first one", place_,
                             "orbits are about the first body of the scene: put the heaviest there");
-        add_orbits(form);
+        add_orbits(form, squares);
         if (!is_jacobi) add_motion_of_first();
         add_rest(form);
         system_.parts = std::move(parts_);
@@ -221,15 +224,28 @@ private:
 
     [[nodiscard]] LinearForm zeros() const { return LinearForm(count(), Graph::number(0)); }
 
+    /// Returns the mass of the bodies before one.
+    [[nodiscard]] Scaled mass_before(std::size_t j) {
+        const auto end = masses_.begin() + static_cast<std::ptrdiff_t>(j);
+        return graph_.sum({masses_.begin(), end});
+    }
+
     /// Returns Q_j = q_j - sum_(i<j) m_i q_i/sum_(i<j) m_i.
     [[nodiscard]] LinearForm from_centre(std::size_t j) {
-        const auto end = masses_.begin() + static_cast<std::ptrdiff_t>(j);
-        const Scaled whole = graph_.inverse(graph_.sum({masses_.begin(), end}));
+        if (j == 1) return from_first(j);
+        const Scaled below = graph_.inverse(mass_before(j));
         LinearForm form = zeros();
         form[j] = Graph::number(1);
         for (std::size_t i = 0; i < j; ++i)
-            form[i] = graph_.times({-1, 1},
-                                   j == 1 ? Graph::number(1) : graph_.product(masses_[i], whole));
+            form[i] = graph_.times({-1, 1}, graph_.product(masses_[i], below));
+        return form;
+    }
+
+    /// Returns Q_j times that mass, in which no mass stands below a bar.
+    [[nodiscard]] LinearForm multiple_from_centre(std::size_t j) {
+        LinearForm form = zeros();
+        form[j] = mass_before(j);
+        for (std::size_t i = 0; i < j; ++i) form[i] = graph_.times({-1, 1}, masses_[i]);
         return form;
     }
 
@@ -311,15 +327,22 @@ private:
         add(name, text, value, std::get<Flow>(std::move(flow)));
     }
 
-    void add_orbits(const OrbitForm& form) {
+    /// Adds A. NOTE: it is a function of its kinetic energy and of the squares.
+    void add_orbits(const OrbitForm& form, const std::vector<Scaled>& squares) {
         if (!are_apart(graph_, form))
             throw MathError("it is not proved that the orbits do not couple", place_,
                             "give masses as numbers, or as parameters without functions");
-        std::vector<Scaled> terms{kinetic_energy(form.kinetic)};
+        std::vector<Scaled> terms{kinetic_energy(form.kinetic)}, made_of = terms;
+        made_of.insert(made_of.end(), squares.begin(), squares.end());
         for (const Attraction& attraction : form.attractions)
             terms.push_back(graph_.times({-1, 1}, over_distance(attraction)));
         add("A", "T - sum_j k_j/|Q_j|", graph_.sum(std::move(terms)),
             flow_of_orbits(graph_, form, q_, p_, parts_.duration));
+        for (const Scaled& each : made_of) {
+            auto expression = written(graph_, each);
+            if (!expression) return parts_.parts.back().made_of.clear();
+            parts_.parts.back().made_of.push_back(*std::move(expression));
+        }
     }
 
     [[nodiscard]] Scaled kinetic_energy(const std::vector<LinearForm>& K) {
@@ -336,13 +359,17 @@ private:
         return graph_.sum(std::move(terms));
     }
 
+    [[nodiscard]] Scaled square(const std::vector<LinearForm>& vector) {
+        std::vector<Scaled> squares;
+        for (const LinearForm& component : vector)
+            squares.push_back(graph_.half_power(applied(component, q_), 4));
+        return graph_.sum(std::move(squares));
+    }
+
     /// Returns k/|Q|.
     [[nodiscard]] Scaled over_distance(const Attraction& attraction) {
-        std::vector<Scaled> squares;
-        for (const LinearForm& component : attraction.components)
-            squares.push_back(graph_.half_power(applied(component, q_), 4));
         return graph_.product(attraction.strength,
-                              graph_.half_power(graph_.sum(std::move(squares)), -1));
+                              graph_.half_power(square(attraction.components), -1));
     }
 
     /// Adds C = (c p)^2/(2 m_0): all drift by the motion of the first body.

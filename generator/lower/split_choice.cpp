@@ -31,6 +31,17 @@ bool are_kicks_and_drifts(const System& system) {
            });
 }
 
+/// Returns parts whose splitting errs as fast as H moves. NOTE: that of orbits hardly errs in steps
+/// in which bodies go round many times.
+System with_pace(const System& system, WrittenOutScene scene) {
+    const std::vector<HamiltonianPart>& parts = system.parts.value().parts;
+    const bool has_orbits = std::any_of(
+        parts.begin(), parts.end(), [](const auto& part) { return !part.in_each_flow.empty(); });
+    if (!has_orbits || !is_separable(system)) return system;
+    scene.split.reset();
+    return with_parts(system, scene, FoundParts::kinetic_potential);
+}
+
 }  // namespace
 
 double SplitCandidate::work() const { return cost * std::sqrt(error.value()); }
@@ -57,7 +68,7 @@ void measure(std::vector<SplitCandidate>& all, const WrittenOutScene& scene) {
     for (SplitCandidate& each : all) each.cost = cost_of_strang(each.system);
     const System& first = all.front().system;
     if (first.degrees_of_freedom() > most_measured || first.parts->parts.size() < 2) return;
-    const auto states = states_of_motion(first, scene);
+    const auto states = states_of_motion(with_pace(first, scene), scene);
     if (!states) return;
     for (SplitCandidate& each : all) each.error = split_error(each.system, scene, *states);
 }

@@ -13,18 +13,35 @@ namespace hvi::gen {
 
 namespace {
 
-/// Looks at the brackets of all quantities with one part.
-std::vector<Vanishing> brackets_with(const HamiltonianPart& part, Hamiltonian H,
+constexpr double most_work = 6 * work_of_a_second;  ///< on all parts
+
+/// Looks at the brackets of all quantities with one function.
+std::vector<Vanishing> brackets_with(const Expression& function, Hamiltonian H,
                                      const std::vector<Quantity>& quantities) {
     std::vector<Vanishing> result(quantities.size(), Vanishing::unknown);
-    if (is_too_long(part)) return result;
-    H.expression = without_places(part.expression);
+    H.expression = without_places(function);
     try {
         const std::vector<QuantityFinding> found =
             H.rotations.empty() ? findings(H, quantities) : body_findings(H, quantities, {});
         for (std::size_t i = 0; i < found.size(); ++i) result[i] = found[i].conserved;
     } catch (const InputError&) {  // nothing is known of what GiNaC does not take
     } catch (const MathError&) {}
+    return result;
+}
+
+/// Looks at the brackets of all quantities with one part. NOTE: what has no bracket with functions
+/// has none with a function of these, and where it has one with them that tells nothing.
+std::vector<Vanishing> brackets_with(const HamiltonianPart& part, const Hamiltonian& H,
+                                     const std::vector<Quantity>& quantities) {
+    if (part.made_of.empty())
+        return is_too_long(part) ? std::vector<Vanishing>(quantities.size(), Vanishing::unknown)
+                                 : brackets_with(part.expression, H, quantities);
+    std::vector<Vanishing> result(quantities.size(), Vanishing::proved);
+    for (const Expression& each : part.made_of) {
+        const std::vector<Vanishing> found = brackets_with(each, H, quantities);
+        for (std::size_t i = 0; i < result.size(); ++i)
+            if (found[i] != Vanishing::proved) result[i] = Vanishing::unknown;
+    }
     return result;
 }
 
@@ -58,7 +75,7 @@ KeptByParts kept_by_parts(const HamiltonianParts& parts, const Hamiltonian& H,
     for (const HamiltonianPart& part : parts.parts) result.parts.push_back(part.name);
     result.brackets.assign(quantities.size(),
                            BracketsWithParts(parts.parts.size(), Vanishing::unknown));
-    const WorkLimit limit(work_of_a_second);
+    const WorkLimit limit(most_work);
     try {
         for (std::size_t k = 0; k < parts.parts.size(); ++k) {
             const std::vector<Vanishing> of_part = brackets_with(parts.parts[k], H, quantities);
