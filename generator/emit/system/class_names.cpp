@@ -162,6 +162,10 @@ void ClassNames::write_data(Writer& writer) const {
 std::string ClassNames::index(const std::string& name) const {
     const bool is_free =
         name.size() == 1 && std::string("adfgijlorsuvwyz").find(name) != std::string::npos;
+    // NOTE: an index of a sum in a definition is `i'bonds`, so that it is no index around the sum.
+    const std::size_t stem = name.find('\'');
+    if (stem != std::string::npos)
+        return fmt::format("inner{}_{}_{}", stem, name.substr(0, stem), name.substr(stem + 1));
     return is_free ? name : "index_" + name;
 }
 
