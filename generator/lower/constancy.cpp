@@ -108,6 +108,10 @@ std::optional<Scaled> constant_value(Graph& graph, const Scaled& a) {
     return is_proved_zero(difference) ? value : std::nullopt;
 }
 
+Scaled difference_of(Graph& graph, const Scaled& a, const Scaled& b) {
+    return graph.sum({a, graph.times({-1, 1}, b)});
+}
+
 bool is_proved_zero(const Graph& graph, const Scaled& a) {
     if (a.is_zero()) { return true; }
     const auto expression = written(graph, a);

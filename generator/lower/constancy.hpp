@@ -17,6 +17,9 @@ namespace hvi::gen {
 /// are free.
 [[nodiscard]] std::optional<Scaled> constant_value(Graph& graph, const Scaled& a);
 
+/// Returns a - b.
+[[nodiscard]] Scaled difference_of(Graph& graph, const Scaled& a, const Scaled& b);
+
 /// Returns whether a value is 0 for all variables and parameters, and that is proved.
 [[nodiscard]] bool is_proved_zero(const Graph& graph, const Scaled& a);
 

@@ -295,15 +295,6 @@ private:
         return add_oscillation(k, *form, graph_.times({1, 2}, tau_));
     }
 
-    [[nodiscard]] bool is_zero(const Scaled& value) {
-        const auto constant = constant_value(graph_, value);
-        return constant && constant->is_zero();
-    }
-
-    [[nodiscard]] Scaled difference(const Scaled& left, const Scaled& right) {
-        return graph_.sum({left, graph_.times({-1, 1}, right)});
-    }
-
     /// Returns the gradient of the form.
     [[nodiscard]] std::array<Scaled, 2> slopes(const PlaneForm& form, Node q, Node p) {
         const auto& [a, b, c] = form;
@@ -313,7 +304,8 @@ private:
 
     [[nodiscard]] bool is_gradient_of(const PlaneForm& form, Node q, Node p) {
         const auto [by_q, by_p] = slopes(form, q, p);
-        return is_zero(difference(slope_by_q_, by_q)) && is_zero(difference(slope_by_p_, by_p));
+        return is_proved_zero(graph_, difference_of(graph_, slope_by_q_, by_q)) &&
+               is_proved_zero(graph_, difference_of(graph_, slope_by_p_, by_p));
     }
 
     /// Adds the flow of a form over a time, of which the half is given. NOTE: where b = 0 it is
@@ -368,9 +360,9 @@ private:
         const Node q = q_[k], p = p_[k];
         for (const PlaneForm& form : candidates(q, p)) {
             const auto [by_q, by_p] = slopes(form, q, p);
-            const Scaled bracket =
-                difference(graph_.product(slope_by_q_, by_p), graph_.product(slope_by_p_, by_q));
-            if (form.b.is_zero() || !is_zero(bracket)) continue;
+            const Scaled bracket = difference_of(graph_, graph_.product(slope_by_q_, by_p),
+                                                 graph_.product(slope_by_p_, by_q));
+            if (form.b.is_zero() || !is_proved_zero(graph_, bracket)) continue;
             const auto speed = speed_of(form, q, p);
             if (!speed) continue;
             const Scaled half_time = over_time(graph_.times({1, 2}, *speed));
@@ -411,8 +403,10 @@ private:
             {1, 2}, graph_.sum({graph_.product(input(q), by_q), graph_.product(input(p), by_p)}));
         const Scaled speed = replaced(graph_, slope, {{Q.node, value}});
         // NOTE: the slope was derived for one sign of p; here it is proved for both.
-        const bool is_it = is_zero(difference(slope_by_p_, graph_.product(speed, by_p))) &&
-                           is_zero(difference(slope_by_q_, graph_.product(speed, by_q)));
+        const bool is_it =
+            is_proved_zero(graph_,
+                           difference_of(graph_, slope_by_p_, graph_.product(speed, by_p))) &&
+            is_proved_zero(graph_, difference_of(graph_, slope_by_q_, graph_.product(speed, by_q)));
         return is_it ? std::optional(speed) : std::nullopt;
     }
 

@@ -18,10 +18,6 @@ namespace {
 
 Scaled node_itself(Node node) { return {{1, 1}, node}; }
 
-Scaled minus(Graph& graph, const Scaled& a, const Scaled& b) {
-    return graph.sum({a, graph.times({-1, 1}, b)});
-}
-
 /// Returns the value of a linear form; `values` are those of the variables.
 Scaled value_of_form(Graph& graph, const LinearForm& form, const std::vector<Scaled>& values) {
     std::vector<Scaled> terms;
@@ -50,7 +46,7 @@ std::optional<std::vector<LinearForm>> matrix_of(Graph& graph, const Scaled& fun
             if (!constant) return {};
             row.push_back(*constant);
         }
-        if (!is_proved_zero(graph, minus(graph, slope, value_of_form(graph, row, values))))
+        if (!is_proved_zero(graph, difference_of(graph, slope, value_of_form(graph, row, values))))
             return {};
         matrix.push_back(std::move(row));
     }
@@ -80,15 +76,15 @@ std::optional<SquareOfVector> square_of_vector(Graph& graph, std::vector<LinearF
     for (std::size_t a = pivot(); a < size; a = pivot()) {
         const Scaled factor = matrix[a][a], below = graph.inverse(factor);
         if (square.components.empty()) square.factor = factor;
-        if (!is_proved_zero(graph, minus(graph, factor, square.factor))) return {};
+        if (!is_proved_zero(graph, difference_of(graph, factor, square.factor))) return {};
         LinearForm form;
         for (std::size_t b = 0; b < size; ++b) form.push_back(graph.product(matrix[a][b], below));
         for (std::size_t b = 0; b < size; ++b) {
             if (form[b].is_zero()) continue;
             is_left[b] = false;
             for (std::size_t c = 0; c < size; ++c) {
-                const Scaled rest = minus(graph, matrix[b][c],
-                                          graph.product(factor, graph.product(form[b], form[c])));
+                const Scaled rest = difference_of(
+                    graph, matrix[b][c], graph.product(factor, graph.product(form[b], form[c])));
                 if (!is_proved_zero(graph, rest)) return {};
             }
         }
@@ -154,7 +150,7 @@ std::optional<OrbitForm> orbit_form_of(Graph& graph, const Scaled& function,
         if (!slope) return {};
         Scaled& strength = form.attractions[j].strength;
         strength = graph.product(graph.times({-1, 1}, *slope), strength);
-        kinetic = minus(graph, kinetic, graph.product(*slope, node_itself(distances[j])));
+        kinetic = difference_of(graph, kinetic, graph.product(*slope, node_itself(distances[j])));
     }
     for (const Scaled& slope : gradient(graph, kinetic, q))
         if (!is_proved_zero(graph, slope)) return {};
@@ -195,7 +191,8 @@ bool are_apart(Graph& graph, const OrbitForm& form) {
                     const Scaled product =
                         value_of_form(graph, form.attractions[j].components[d], all_rates[i][c]);
                     const bool is_own = i == j && c == d;
-                    if (!is_proved_zero(graph, is_own ? minus(graph, product, own) : product))
+                    if (!is_proved_zero(graph,
+                                        is_own ? difference_of(graph, product, own) : product))
                         return false;
                 }
             }
