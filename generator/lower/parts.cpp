@@ -74,7 +74,7 @@ public:
         } else if (found == FoundParts::kinetic_potential) {
             set_kinetic_and_potential();
         } else {
-            find_parts();
+            find_parts(found == FoundParts::by_terms);
         }
         system_.parts = std::move(parts_);
         return std::move(system_);
@@ -111,7 +111,7 @@ private:
     }
 
     /// Adds parts that are found among the terms of H.
-    void find_parts() {
+    void find_parts(bool may_take_matrices) {
         std::vector<Scaled> sums;
         std::vector<Flow> flows;
         for (const Scaled& term : terms()) {
@@ -119,9 +119,11 @@ private:
             for (; k < sums.size(); ++k) {
                 const Scaled sum = system_.graph.sum({sums[k], term});
                 auto flow = flow_of(system_, sum, parts_.duration);
-                if (std::holds_alternative<NoFlow>(flow)) { continue; }
+                auto* known = std::get_if<Flow>(&flow);
+                if (known == nullptr) { continue; }
+                if (!may_take_matrices && known->forms.size() > flows[k].forms.size()) { continue; }
                 sums[k] = sum;
-                flows[k] = std::get<Flow>(std::move(flow));
+                flows[k] = std::move(*known);
                 break;
             }
             if (k < sums.size()) { continue; }

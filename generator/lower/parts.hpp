@@ -16,6 +16,7 @@ namespace hvi::gen {
 /// The ways in which terms of H become parts.
 enum class FoundParts {
     by_terms,           ///< each in the first part that still has a known flow with it
+    without_matrices,   ///< as by terms, but none becomes part of a form that is moved by a matrix
     kinetic_potential,  ///< T(p), then U(q)
 };
 

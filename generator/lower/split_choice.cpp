@@ -31,15 +31,10 @@ bool are_kicks_and_drifts(const System& system) {
            });
 }
 
-/// Returns parts whose splitting errs as fast as H moves. NOTE: that of orbits hardly errs in steps
-/// in which bodies go round many times.
-System with_pace(const System& system, WrittenOutScene scene) {
+bool is_moved_by_matrices(const System& system) {
     const std::vector<HamiltonianPart>& parts = system.parts.value().parts;
-    const bool has_orbits = std::any_of(
-        parts.begin(), parts.end(), [](const auto& part) { return !part.in_each_flow.empty(); });
-    if (!has_orbits || !is_separable(system)) return system;
-    scene.split.reset();
-    return with_parts(system, scene, FoundParts::kinetic_potential);
+    return std::any_of(parts.begin(), parts.end(),
+                       [](const auto& part) { return !part.forms.empty(); });
 }
 
 }  // namespace
@@ -57,6 +52,14 @@ std::vector<SplitCandidate> split_candidates(const System& system, const Written
     add(scene.split ? "as named" : "in order", std::move(found));
     if (!scene.split && all.front().system.parts->parts.size() > 1)
         add("in reverse", in_reverse(all.front().system));
+    if (!scene.split && is_moved_by_matrices(all.front().system)) {
+        System others = with_parts(system, scene, FoundParts::without_matrices);
+        if (!is_moved_by_matrices(others) ||
+            others.parts->parts.size() != all.front().system.parts->parts.size()) {
+            add("no matrix", others);
+            add("no matrix, in reverse", in_reverse(std::move(others)));
+        }
+    }
     if (!scene.split && has_others) {
         add("T(p), U(q)", with_parts(system, scene, FoundParts::kinetic_potential));
         add("U(q), T(p)", in_reverse(all.back().system));
@@ -68,7 +71,7 @@ void measure(std::vector<SplitCandidate>& all, const WrittenOutScene& scene) {
     for (SplitCandidate& each : all) each.cost = cost_of_strang(each.system);
     const System& first = all.front().system;
     if (first.degrees_of_freedom() > most_measured || first.parts->parts.size() < 2) return;
-    const auto states = states_of_motion(with_pace(first, scene), scene);
+    const auto states = states_of_motion(first, scene);
     if (!states) return;
     for (SplitCandidate& each : all) each.error = split_error(each.system, scene, *states);
 }

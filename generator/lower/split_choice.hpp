@@ -29,6 +29,7 @@ struct SplitCandidate {
 ///
 /// - in order: see with_parts();
 /// - in reverse: these in reverse;
+/// - no matrix: as in order, but no quadratic form couples what its terms do not; and in reverse;
 /// - T(p), U(q), and U(q), T(p), where H is such a sum and these are other parts.
 ///
 /// They are not measured. Throws as with_parts() does. Precondition: that of with_parts().

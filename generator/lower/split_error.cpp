@@ -66,6 +66,8 @@ private:
 };
 
 constexpr std::size_t steps_of_motion = 128, parts_of_step = 4;
+constexpr std::size_t most_attempts = 12;  ///< with steps of a quarter each
+constexpr double most_change = 1e-3;       ///< of the energy, in parts of the size of H
 constexpr double error_of_steps = 0.01;
 constexpr double cost_of_exact_sum = 7;  ///< of a change and a variable, with what is rounded off
 
@@ -186,6 +188,48 @@ double distance_of_states(ValuesAtStates& values, const std::vector<Scaled>& nes
     return std::min(of_error, norm(start) / (2 * norm(values(rates, start))));
 }
 
+/// The motion from a start, by steps of the classical Runge-Kutta method.
+class MotionInSteps {
+public:
+    MotionInSteps(const System& system, ValuesAtStates& values, const std::vector<Scaled>& rates,
+                  const std::vector<double>& start)
+        : values_(values),
+          rates_(rates),
+          start_(start),
+          size_(size_of_parts(system, values, start)) {
+        for (const HamiltonianPart& part : system.parts->parts) { parts_.push_back(part.value); }
+        energy_ = energy(start);
+    }
+
+    /// Returns the start and states at distances h; nothing where the energy does not stay, as the
+    /// method does not follow the motion.
+    [[nodiscard]] std::optional<StatesOfMotion> operator()(double h) {
+        StatesOfMotion states{start_};
+        for (std::size_t step = 0; step < steps_of_motion; ++step) {
+            std::vector<double> state = states.back();
+            for (std::size_t part = 0; part < parts_of_step; ++part) {
+                state = after_step(values_, rates_, h / static_cast<double>(parts_of_step), state);
+            }
+            if (!(std::abs(energy(state) - energy_) < most_change * size_)) { return {}; }
+            states.push_back(std::move(state));
+        }
+        return states;
+    }
+
+private:
+    [[nodiscard]] double energy(const std::vector<double>& state) {
+        double sum = 0;
+        for (const double value : values_(parts_, state)) { sum += value; }
+        return sum;
+    }
+
+    ValuesAtStates& values_;
+    const std::vector<Scaled>& rates_;
+    const std::vector<double>& start_;
+    std::vector<Scaled> parts_;
+    double size_, energy_ = 0;
+};
+
 }  // namespace
 
 std::optional<double> split_error(System system, const WrittenOutScene& scene,
@@ -212,20 +256,15 @@ std::optional<StatesOfMotion> states_of_motion(System system, const WrittenOutSc
     if (scene.initial.empty()) { return {}; }
     const std::vector<Scaled> nested = nested_brackets(system), rates = rates_of(system);
     ValuesAtStates values(system, scene);
-    StatesOfMotion states{start_of_motion(scene)};
-    const double h = distance_of_states(values, nested, rates, states.front(), system);
+    const std::vector<double> start = start_of_motion(scene);
+    MotionInSteps motion(system, values, rates, start);
+    double h = distance_of_states(values, nested, rates, start, system);
     if (!std::isfinite(h) || !(h > 0)) { return {}; }
-    for (std::size_t step = 0; step < steps_of_motion; ++step) {
-        std::vector<double> state = states.back();
-        for (std::size_t part = 0; part < parts_of_step; ++part) {
-            state = after_step(values, rates, h / static_cast<double>(parts_of_step), state);
-        }
-        for (const double each : state) {
-            if (!std::isfinite(each)) { return {}; }
-        }
-        states.push_back(std::move(state));
+    for (std::size_t k = 0; k < most_attempts; ++k) {
+        if (auto states = motion(h)) { return states; }
+        h /= 4;
     }
-    return states;
+    return {};
 }
 
 double cost_of_strang(const System& system) {

@@ -27,8 +27,8 @@ using StatesOfMotion = std::vector<std::vector<double>>;
 
 /// Returns the start of a scene and 128 states of its motion, at distances of steps of strang that
 /// have an error of the energy of about a hundredth, or shorter ones: some periods. Returns nothing
-/// where the scene has no initial state, or the motion no value. Precondition: the system has
-/// parts.
+/// where the scene has no initial state, or where no step of a method for any system follows the
+/// motion. Precondition: the system has parts.
 [[nodiscard]] std::optional<StatesOfMotion> states_of_motion(System system,
                                                              const WrittenOutScene& scene);
 
