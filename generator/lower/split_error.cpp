@@ -65,9 +65,9 @@ private:
     std::vector<Node> q_, p_;
 };
 
-constexpr std::size_t steps_of_motion = 128, parts_of_step = 4;
-constexpr std::size_t most_attempts = 12;  ///< with steps of a quarter each
-constexpr double most_change = 1e-3;       ///< of the energy, in parts of the size of H
+constexpr std::size_t steps_of_motion = 128, most_parts = 4096;
+constexpr std::size_t most_attempts = 4;  ///< with distances of a quarter each
+constexpr double most_change = 1e-3;      ///< of the energy, in parts of the size of H
 constexpr double error_of_steps = 0.01;
 constexpr double cost_of_exact_sum = 7;  ///< of a change and a variable, with what is rounded off
 
@@ -206,17 +206,27 @@ public:
     [[nodiscard]] std::optional<StatesOfMotion> operator()(double h) {
         StatesOfMotion states{start_};
         for (std::size_t step = 0; step < steps_of_motion; ++step) {
-            std::vector<double> state = states.back();
-            for (std::size_t part = 0; part < parts_of_step; ++part) {
-                state = after_step(values_, rates_, h / static_cast<double>(parts_of_step), state);
-            }
-            if (!(std::abs(energy(state) - energy_) < most_change * size_)) { return {}; }
-            states.push_back(std::move(state));
+            auto state = after(states.back(), h);
+            if (!state) { return {}; }
+            states.push_back(*std::move(state));
         }
         return states;
     }
 
 private:
+    /// Returns the state after a time, in so many steps that the energy stays.
+    [[nodiscard]] std::optional<std::vector<double>> after(const std::vector<double>& start,
+                                                           double time) {
+        for (std::size_t parts = 4; parts <= most_parts; parts *= 4) {
+            std::vector<double> state = start;
+            for (std::size_t part = 0; part < parts; ++part) {
+                state = after_step(values_, rates_, time / static_cast<double>(parts), state);
+            }
+            if (std::abs(energy(state) - energy_) < most_change * size_) { return state; }
+        }
+        return {};
+    }
+
     [[nodiscard]] double energy(const std::vector<double>& state) {
         double sum = 0;
         for (const double value : values_(parts_, state)) { sum += value; }
