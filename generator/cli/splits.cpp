@@ -124,8 +124,9 @@ std::string splits_of(const SystemOptions& system) {
     measure(candidates, *system_of_scene.written);
     const std::size_t chosen = chosen_split(candidates);
     const System& split = candidates[chosen].system;
-    std::string text =
-        parts_text(split, scene) + kept_text(split, scene) + candidates_text(candidates, chosen);
+    std::string text = parts_text(split, scene) + kept_text(split, scene);
+    // NOTE: the measure is that of steps without small ones.
+    if (!split.parts->small_steps.exist()) text += candidates_text(candidates, chosen);
     text += strang_text(*split.parts, scene.origin);
     const bool is_asked_for = !std::holds_alternative<std::monostate>(scene.split);
     const bool is_kicked = is_separable(split) && rotations_of(split) == 0;

@@ -43,7 +43,10 @@ std::vector<SplitCandidate> ways_to_split(const LoweredScene& scene, const Metho
 
 System in_parts(const LoweredScene& scene, const Method& method, const StepperWishes& wishes) {
     std::vector<SplitCandidate> all = ways_to_split(scene, method, wishes);
-    if (all.size() > 1) measure(all, *scene.written);
+    // NOTE: the measure is that of strang; other splittings want the large part first.
+    const bool is_measured = method.splitting.empty() || method.splitting == "strang";
+    if (all.size() == 1 || !is_measured) return std::move(all.front().system);
+    measure(all, *scene.written);
     return std::move(all[chosen_split(all)].system);
 }
 

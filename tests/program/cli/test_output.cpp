@@ -129,7 +129,7 @@ TEST_CASE("all of list is its parts") {
 
 TEST_CASE("scenes are listed with what they are") {
     const std::string text = hvi_gen({"list", "scenes"}).out;
-    CHECK(std::count(text.begin(), text.end(), '\n') == 36);
+    CHECK(std::count(text.begin(), text.end(), '\n') == 37);
     for (const std::string line :
          {"  double-pendulum      Two pendulums, one hanging on the other; not separable\n",
           "  kepler               A planet around a fixed sun, on an ellipse\n",

@@ -41,6 +41,7 @@ TEST_CASE("fast parts are listed first, with their small steps") {
           "  bond  a shear  50*x^2\n"
           "  T     a shear  p^2/2\n"
           "  slow  a shear  x^4\n"
+          "not kept by bond, T, slow: energy\n"
           "the first 2 are fast: they take 10 small steps in a large one\n"
           "strang takes 23 flows a step, as in hvi-gen run --method strang spring.toml\n");
 }
