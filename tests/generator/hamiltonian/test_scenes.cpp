@@ -97,8 +97,8 @@ TEST_CASE("invariants do not change") {
             ++count;
         }
     }
-    // Small scenes have 16, toda-ring 3, ring-of-bodies 1, plummer and atoms 6 each.
-    CHECK(count == 38);
+    // Small scenes have 19, toda-ring 3, ring-of-bodies 1, plummer and atoms 6 each.
+    CHECK(count == 41);
 }
 
 TEST_CASE("scenes begin with the energy that is known of them") {

@@ -159,7 +159,8 @@ bool are_proved_same(const Hamiltonian& H) {
 }
 
 bool is_analytic_of_one(const Function& function) {
-    return function.nature == Nature::analytic && function.arguments == 1;
+    return function.nature == Nature::analytic && function.arguments == 1 &&
+           !is_hidden(function.name);
 }
 
 Hamiltonian hamiltonian_of_text(const std::string& text) {
