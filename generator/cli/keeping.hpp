@@ -1,4 +1,4 @@
-// What a splitting keeps of a scene.
+// Quantities of a scene that a splitting keeps.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 

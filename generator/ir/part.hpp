@@ -55,7 +55,7 @@ struct HamiltonianPart {
     std::vector<Expression> made_of = {};  ///< functions that it is a function of; may be empty
 };
 
-/// What stands for a part that is found and has more than two thousand words.
+/// Text in place of a part that is found and has more than two thousand words.
 inline constexpr const char* too_long_part = "...";
 [[nodiscard]] inline bool is_too_long(const HamiltonianPart& part) {
     return part.expression.kind == Expression::Kind::symbol &&

@@ -1,4 +1,4 @@
-// Which parts splittings take where a scene names none.
+// Choice of parts for splittings where a scene names none.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 

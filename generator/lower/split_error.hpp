@@ -1,4 +1,4 @@
-// What a step of strang costs with parts in an order, and how far it is from the motion of H.
+// Cost and error of a step of strang with parts of H in an order.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 

@@ -1,4 +1,4 @@
-// Which quantities the flows of parts of H keep.
+// Quantities that the flows of parts of H keep.
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 

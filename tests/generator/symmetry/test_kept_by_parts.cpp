@@ -1,5 +1,5 @@
-// What the flows of parts of H keep. Brackets with parts were computed by SymPy, those of bodies as
-// R' = R hat(G_L), L' = L x G_L - D(G).
+// Quantities that the flows of parts of H keep. Brackets with parts were computed by SymPy, those
+// of bodies as R' = R hat(G_L), L' = L x G_L - D(G).
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <algorithm>
 #include <map>

@@ -103,8 +103,8 @@ template <class Number, std::size_t k>
 template <class Number, std::size_t k>
 inline constexpr auto stumpff_coefficients = stumpff_series<Number, k>();
 
-/// What rounding cuts off from 1/3!. NOTE: products with powers of two are exact, and so are these
-/// differences.
+/// The remainder of 1/3!, which rounding cuts off. NOTE: products with powers of two are exact, and
+/// so are these differences.
 template <class Number>
 inline constexpr Number rest_of_sixth = ((1 - 8 * (Number(1) / 6)) + 2 * (Number(1) / 6)) / 6;
 
