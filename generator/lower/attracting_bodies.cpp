@@ -12,6 +12,7 @@
 #include "generator/graph/replaced.hpp"
 #include "generator/lower/constancy.hpp"
 #include "generator/lower/derivative.hpp"
+#include "generator/lower/form_flow.hpp"
 #include "generator/lower/orbits.hpp"
 
 namespace hvi::gen {
@@ -54,13 +55,11 @@ private:
         const Scaled& H = function_of(system_);
         const std::vector<Scaled> slopes = gradient(graph_, H, p_);
         for (std::size_t a = 0; a < p_.size(); ++a) {
-            const Scaled second = gradient(graph_, slopes[a], {p_[a]}).front();
-            const auto K = constant_value(graph_, second);
-            const Scaled p{{1, 1}, p_[a]};
-            if (!K || K->is_zero() ||
-                !is_proved_zero(graph_, difference_of(graph_, slopes[a], graph_.product(*K, p))))
+            const auto rows = rows_of_form(graph_, {slopes[a]}, {p_[a]});
+            if (!rows || is_proved_zero(graph_, rows->front()) ||
+                !is_proved_zero(graph_, rows->back()))
                 refuse(fmt::format("{} has no mass of its own", name_of(a)));
-            inverse_masses_.push_back(*K);
+            inverse_masses_.push_back(rows->front());
         }
     }
 

@@ -14,9 +14,8 @@ namespace hvi::gen {
 /// square of their number, and with the cube where the time changes.
 inline constexpr std::size_t most_coupled = 8;
 
-/// Returns the rows of (S l), each from the diagonal on, where the slopes by these variables are S
-/// z
-/// + l with values that do not vary, which is proved; else nothing.
+/// Returns the rows of (S l), each from the diagonal on, where the slopes by these variables z are
+/// S z + l with values that do not vary, which is proved; else nothing.
 ///
 /// NOTE: the flow is a matrix, as three shears do not make it: each has a symmetric block, and so
 /// has their product where it takes p to q; that of a charge in a magnetic field has not.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/lower/orbit_coordinates.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <map>
 #include <set>
@@ -32,6 +34,10 @@ public:
         parts_.duration = graph_.input(new_name("tau", taken), Role::parameter).node;
         for (const Scaled& inverse : bodies_.inverse_masses)
             masses_.push_back(graph_.inverse(inverse));
+        for (std::size_t j = 2; j <= count(); ++j)
+            if (is_proved_zero(graph_, mass_before(j)))
+                throw MathError(fmt::format("the masses of the first {} bodies add up to 0", j),
+                                place_, "orbits are about centres of mass");
     }
 
     [[nodiscard]] System operator()(SplitChoice coordinates) && {

@@ -11,6 +11,7 @@
 #include "generator/graph/replaced.hpp"
 #include "generator/lower/constancy.hpp"
 #include "generator/lower/derivative.hpp"
+#include "generator/lower/form_flow.hpp"
 
 namespace hvi::gen {
 
@@ -34,21 +35,17 @@ std::vector<Scaled> values_of(const std::vector<Node>& nodes) {
 
 // ---- recognition ----
 
-/// Returns the symmetric matrix W where the function is x^T W x/2, which is proved.
+/// Returns the symmetric matrix W where the function is x^T W x/2 and a constant, which is proved.
 std::optional<std::vector<LinearForm>> matrix_of(Graph& graph, const Scaled& function,
                                                  const std::vector<Node>& x) {
-    const std::vector<Scaled> slopes = gradient(graph, function, x), values = values_of(x);
-    std::vector<LinearForm> matrix;
-    for (const Scaled& slope : slopes) {
-        LinearForm row;
-        for (const Scaled& second : gradient(graph, slope, x)) {
-            const auto constant = constant_value(graph, second);
-            if (!constant) return {};
-            row.push_back(*constant);
-        }
-        if (!is_proved_zero(graph, difference_of(graph, slope, value_of_form(graph, row, values))))
-            return {};
-        matrix.push_back(std::move(row));
+    const auto rows = rows_of_form(graph, gradient(graph, function, x), x);
+    if (!rows) return {};
+    const std::size_t size = x.size();
+    std::vector<LinearForm> matrix(size, LinearForm(size));
+    auto next = rows->begin();
+    for (std::size_t a = 0; a < size; ++a) {
+        for (std::size_t b = a; b < size; ++b) matrix[a][b] = matrix[b][a] = *next++;
+        if (!is_proved_zero(graph, *next++)) return {};
     }
     return matrix;
 }
@@ -67,7 +64,7 @@ std::optional<SquareOfVector> square_of_vector(Graph& graph, std::vector<LinearF
     const auto pivot = [&] {
         std::size_t best = size;
         for (std::size_t a = 0; a < size; ++a) {
-            if (!is_left[a] || matrix[a][a].is_zero()) continue;
+            if (!is_left[a] || is_proved_zero(graph, matrix[a][a])) continue;
             if (matrix[a][a] == Graph::number(1)) return a;
             best = std::min(best, a);
         }
@@ -181,22 +178,26 @@ std::vector<std::vector<LinearForm>> rates(Graph& graph, const OrbitForm& form) 
 }  // namespace
 
 bool are_apart(Graph& graph, const OrbitForm& form) {
+    struct Component {
+        std::size_t orbit;
+        const LinearForm *form, *rate;  ///< l and l K
+    };
     const auto all_rates = rates(graph, form);
-    for (std::size_t i = 0; i < form.attractions.size(); ++i) {
-        const Scaled own =
-            value_of_form(graph, form.attractions[i].components.front(), all_rates[i].front());
-        for (std::size_t j = 0; j < form.attractions.size(); ++j) {
-            for (std::size_t c = 0; c < all_rates[i].size(); ++c) {
-                for (std::size_t d = 0; d < form.attractions[j].components.size(); ++d) {
-                    const Scaled product =
-                        value_of_form(graph, form.attractions[j].components[d], all_rates[i][c]);
-                    const bool is_own = i == j && c == d;
-                    if (!is_proved_zero(graph,
-                                        is_own ? difference_of(graph, product, own) : product))
-                        return false;
-                }
-            }
-        }
+    std::vector<Component> all;
+    for (std::size_t j = 0; j < form.attractions.size(); ++j)
+        for (std::size_t c = 0; c < all_rates[j].size(); ++c)
+            all.push_back({j, &form.attractions[j].components[c], &all_rates[j][c]});
+    std::vector<Scaled> inverse_masses(form.attractions.size());
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const Scaled own = value_of_form(graph, *all[i].form, *all[i].rate);
+        Scaled& of_orbit = inverse_masses[all[i].orbit];
+        const bool is_first = i == 0 || all[i - 1].orbit != all[i].orbit;
+        if (is_first) of_orbit = own;
+        if (is_proved_zero(graph, own)) return false;
+        if (!is_proved_zero(graph, difference_of(graph, own, of_orbit))) return false;
+        for (std::size_t k = 0; k < i; ++k)
+            if (!is_proved_zero(graph, value_of_form(graph, *all[k].form, *all[i].rate)))
+                return false;
     }
     return true;
 }

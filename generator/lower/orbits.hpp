@@ -43,7 +43,8 @@ struct OrbitForm {
                                                      const std::vector<Node>& p);
 
 /// Returns whether it is proved that the vectors Q_j do not couple: for their components l as rows,
-/// l K l'^T = 0 for different ones, and the components of one vector have one value l K l^T.
+/// l K l'^T = 0 for different ones, and the components of one vector have one value l K l^T,
+/// which is not 0.
 [[nodiscard]] bool are_apart(Graph& graph, const OrbitForm& form);
 
 /// Returns the flow of a form: each Q_j moves on a Kepler orbit, Q_j'' = -mu Q_j/|Q_j|^3 with mu =

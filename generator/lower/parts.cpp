@@ -198,8 +198,8 @@ private:
 
     static constexpr const char* help_for_flows =
         "known are functions of variables that they do not move, quadratic forms of one degree of "
-        "freedom and functions of them, quadratic forms that couple up to 8 degrees, and functions "
-        "of one component of an angular momentum";
+        "freedom and functions of them, quadratic forms that couple up to 8 degrees, Kepler orbits "
+        "that do not couple, and functions of one component of an angular momentum";
 
     System system_;
     const WrittenOutScene& scene_;

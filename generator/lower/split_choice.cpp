@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "generator/lower/flow.hpp"
 #include "generator/lower/parts.hpp"
 
 namespace hvi::gen {
@@ -31,12 +32,6 @@ bool are_kicks_and_drifts(const System& system) {
            });
 }
 
-bool is_moved_by_matrices(const System& system) {
-    const std::vector<HamiltonianPart>& parts = system.parts.value().parts;
-    return std::any_of(parts.begin(), parts.end(),
-                       [](const auto& part) { return !part.forms.empty(); });
-}
-
 }  // namespace
 
 double SplitCandidate::work() const { return cost * std::sqrt(error.value()); }
@@ -52,9 +47,9 @@ std::vector<SplitCandidate> split_candidates(const System& system, const Written
     add(scene.split ? "as named" : "in order", std::move(found));
     if (!scene.split && all.front().system.parts->parts.size() > 1)
         add("in reverse", in_reverse(all.front().system));
-    if (!scene.split && is_moved_by_matrices(all.front().system)) {
+    if (!scene.split && moves_forms(*all.front().system.parts)) {
         System others = with_parts(system, scene, FoundParts::without_matrices);
-        if (!is_moved_by_matrices(others) ||
+        if (!moves_forms(*others.parts) ||
             others.parts->parts.size() != all.front().system.parts->parts.size()) {
             add("no matrix", others);
             add("no matrix, in reverse", in_reverse(std::move(others)));

@@ -7,7 +7,7 @@
 
 #include "generator/lower/derivative.hpp"
 #include "generator/lower/flow.hpp"
-#include "generator/lower/node_values.hpp"
+#include "generator/lower/values_in_doubles.hpp"
 #include "generator/lower/turns.hpp"
 #include "generator/scene/start.hpp"
 

@@ -11,6 +11,7 @@
 #include "generator/emit/steps/along.hpp"
 #include "generator/emit/steps/emit.hpp"
 #include "generator/emit/system/scene_code.hpp"
+#include "generator/lower/flow.hpp"
 #include "generator/module/start_parameters.hpp"
 #include "generator/module/stepper_part.hpp"
 #include "generator/support/error.hpp"
@@ -102,7 +103,10 @@ ModuleKind kind_of(const SceneStepper& stepper) {
     ModuleKind kind{"", "hvi/detail/module/driven.hpp", "hvi::detail::Driven",
                     "DrivenFunctions hvi_scene", stepper.class_name};
     if (stepper.step.dual_parts != 0) {
-        kind.include = "#include <driver/dual.hpp>\n#include <driver/orbits_in_duals.hpp>";
+        const std::optional<HamiltonianParts>& parts = stepper.system.parts;
+        kind.include = "#include <driver/dual.hpp>";
+        if (parts && moves_on_orbits(*parts))
+            kind.include += "\n#include <driver/orbits_in_duals.hpp>";
         kind.driven = "driver/carried_in_duals.hpp";
         kind.stepper = fmt::format("Basic{}<hvi::driver::Dual<{}>>", stepper.class_name,
                                    stepper.step.dual_parts);

@@ -11,6 +11,7 @@
 #include "generator/emit/steps/system_part.hpp"
 #include "generator/emit/system/flow_code.hpp"
 #include "generator/emit/system/scene_code.hpp"
+#include "generator/lower/flow.hpp"
 
 namespace hvi::gen {
 
@@ -136,20 +137,6 @@ std::string flows_text(const System& system, const FlowStep& form, std::string_v
     return text;
 }
 
-/// Returns whether a part has a quadratic form that is moved by its matrix.
-bool moves_forms(const System& system) {
-    const std::vector<HamiltonianPart>& parts = system.parts->parts;
-    return std::any_of(parts.begin(), parts.end(),
-                       [](const HamiltonianPart& part) { return !part.forms.empty(); });
-}
-
-/// Returns whether a part moves by orbits.
-bool has_orbits(const System& system) {
-    const std::vector<HamiltonianPart>& parts = system.parts->parts;
-    return std::any_of(parts.begin(), parts.end(),
-                       [](const HamiltonianPart& part) { return !part.in_each_flow.empty(); });
-}
-
 /// Returns the headers of the runtime: copies, which need the standard library alone, but where
 /// bodies turn or orbits go side by side. `code`: all that calls functions.
 std::string support(const System& system, std::string_view code) {
@@ -161,7 +148,8 @@ std::string support(const System& system, std::string_view code) {
         return code.find(name) != std::string_view::npos;
     };
     const bool calls_math = calls("hvi::math::"), turns = calls("hvi::math::small_");
-    const bool has_bodies = rotations_of(system) > 0, is_runtime = has_bodies || has_orbits(system);
+    const bool has_bodies = rotations_of(system) > 0,
+               is_runtime = has_bodies || moves_on_orbits(*system.parts);
     add(has_bodies, {"detail/groups/chart_space"});
     add(!is_runtime, {"state", "detail/numbers/scalar"});
     add(calls_math && !is_runtime, {"detail/numbers/math"});
@@ -171,9 +159,10 @@ std::string support(const System& system, std::string_view code) {
     add(!is_runtime,
         {"detail/stages/system", "detail/numbers/arithmetic", "detail/numbers/compensated"});
     add(true, {"detail/stages/flow_sums"});
-    add(moves_forms(system) && !is_runtime, {"detail/numbers/two_product", "detail/numbers/pair"});
-    add(moves_forms(system), {"detail/stages/form_flow"});
-    add(has_orbits(system), {"detail/stages/two_bodies"});
+    add(moves_forms(*system.parts) && !is_runtime,
+        {"detail/numbers/two_product", "detail/numbers/pair"});
+    add(moves_forms(*system.parts), {"detail/stages/form_flow"});
+    add(moves_on_orbits(*system.parts), {"detail/stages/two_bodies"});
     if (!is_runtime) { return copies_of(names); }
     names.emplace_back("detail/stepper");
     std::string text;
@@ -197,7 +186,7 @@ std::string emit_one(const OneStepMethod& method, const Step& step, const FlowSt
     holes.merge(Holes{{"support", support(system, fractions + flows + part.types + part.construct)},
                       {"state", part.state},
                       {"numbers", in_members(numbers_of_bodies::type, "State")},
-                      {"path", moves_forms(system) ? "LongFlowPath" : "FlowPath"},
+                      {"path", moves_forms(*system.parts) ? "LongFlowPath" : "FlowPath"},
                       {"begin", in_members(numbers_of_bodies::taken, "")},
                       {"at", in_members(numbers_of_bodies::name, "x")},
                       {"moves", moves_text(form)},

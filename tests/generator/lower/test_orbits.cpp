@@ -127,6 +127,23 @@ TEST_CASE("three bodies are orbits and a rest in coordinates of Jacobi, or about
               .size() == 2);
 }
 
+TEST_CASE("masses that add up to nothing make no orbits") {
+    const auto of_masses = [](const std::string& b, const std::string& c) {
+        return plane_bodies("(u[1]^2+v[1]^2)/2 + (u[2]^2+v[2]^2)/(2*" + b +
+                            ") + (u[3]^2+v[3]^2)/(2*" + c + ") - 1/" + distance_of("1", "2") +
+                            " - 1/" + distance_of("1", "3"));
+    };
+    for (const SplitChoice choice : {SplitChoice::jacobi, SplitChoice::heliocentric}) {
+        CHECK(refusal_of(of_masses("(-1)", "2"), choice) ==
+              "the masses of the first 2 bodies add up to 0");
+        CHECK(refusal_of(of_masses("2", "(-3)"), choice) ==
+              "the masses of the first 3 bodies add up to 0");
+    }
+    const std::string pair =
+        "u[1]^2/2 + v[1]^2/2 - u[2]^2/2 - v[2]^2/2 + u[3]^2 + v[3]^2 - 1/" + distance_of("1", "2");
+    CHECK(is_refused(plane_bodies(pair, "[split]\nA = \"" + pair + "\"\n")));
+}
+
 TEST_CASE("an H that is not one of bodies that attract each other is refused with a reason") {
     const std::string what = "this H is not one of bodies that attract each other: ";
     CHECK(refusal_of(plane_bodies(kinetic_energy)) ==

@@ -7,7 +7,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "generator/lower/node_values.hpp"
+#include "generator/lower/values_in_doubles.hpp"
 #include "generator/lower/parts.hpp"
 #include "generator/lower/split_choice.hpp"
 #include "generator/lower/system.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "generator/lower/node_values.hpp"
+#include "generator/lower/values_in_doubles.hpp"
 
 #include <cmath>
 #include <unordered_map>
