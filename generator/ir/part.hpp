@@ -74,4 +74,8 @@ struct HamiltonianParts {
     SmallSteps small_steps = {};
 };
 
+/// Return whether a part moves by the matrix of a quadratic form, and whether one does by orbits.
+[[nodiscard]] bool moves_forms(const HamiltonianParts& parts);
+[[nodiscard]] bool moves_on_orbits(const HamiltonianParts& parts);
+
 }  // namespace hvi::gen

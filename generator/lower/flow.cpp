@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/lower/flow.hpp"
 
-#include <algorithm>
 #include <utility>
 
 namespace hvi::gen {
@@ -30,16 +29,6 @@ OperationCounts counts_of_flow(const Graph& graph, const HamiltonianPart& part) 
         counts.additions += 8 * entries;
     }
     return counts;
-}
-
-bool moves_forms(const HamiltonianParts& parts) {
-    return std::any_of(parts.parts.begin(), parts.parts.end(),
-                       [](const HamiltonianPart& part) { return !part.forms.empty(); });
-}
-
-bool moves_on_orbits(const HamiltonianParts& parts) {
-    return std::any_of(parts.parts.begin(), parts.parts.end(),
-                       [](const HamiltonianPart& part) { return !part.in_each_flow.empty(); });
 }
 
 std::size_t numbers_moved(const HamiltonianPart& part) {

@@ -26,10 +26,6 @@ inline constexpr std::size_t changes_of_orbit = 4;
 /// Returns the operations of a flow, but for those of compensated sums.
 [[nodiscard]] OperationCounts counts_of_flow(const Graph& graph, const HamiltonianPart& part);
 
-/// Return whether a part moves by the matrix of a quadratic form, and whether one does by orbits.
-[[nodiscard]] bool moves_forms(const HamiltonianParts& parts);
-[[nodiscard]] bool moves_on_orbits(const HamiltonianParts& parts);
-
 /// Returns how many numbers a flow moves.
 [[nodiscard]] std::size_t numbers_moved(const HamiltonianPart& part);
 

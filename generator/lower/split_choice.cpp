@@ -5,7 +5,6 @@
 #include <cmath>
 #include <utility>
 
-#include "generator/lower/flow.hpp"
 #include "generator/lower/parts.hpp"
 
 namespace hvi::gen {

@@ -11,7 +11,6 @@
 #include "generator/emit/steps/along.hpp"
 #include "generator/emit/steps/emit.hpp"
 #include "generator/emit/system/scene_code.hpp"
-#include "generator/lower/flow.hpp"
 #include "generator/module/start_parameters.hpp"
 #include "generator/module/stepper_part.hpp"
 #include "generator/support/error.hpp"

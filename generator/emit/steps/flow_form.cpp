@@ -11,7 +11,6 @@
 #include "generator/emit/steps/system_part.hpp"
 #include "generator/emit/system/flow_code.hpp"
 #include "generator/emit/system/scene_code.hpp"
-#include "generator/lower/flow.hpp"
 
 namespace hvi::gen {
 
