@@ -57,7 +57,8 @@ def read_headers(app):
     output = pathlib.Path(app.doctreedir).parent / "doxygen"
     output.mkdir(parents=True, exist_ok=True)
     headers = sorted((root / "src/hvi").glob("*.hpp"))
-    headers.append(root / "src/hvi/detail/trajectories/event.hpp")  # hvi::Event
+    for name in ("run", "trajectories/event"):  # hvi::Run, hvi::Event
+        headers.append(root / f"src/hvi/detail/{name}.hpp")
     headers = " ".join(f'"{path}"' for path in headers)
     subprocess.run(["doxygen", "-"], input=doxyfile.format(headers=headers, output=output),
                    text=True, check=True)

@@ -113,6 +113,8 @@ CheckOptions check_options(const Words& words, const CommandLine& line) {
     CheckOptions options;
     if (const Given file = words.file("--tableau")) options.tableau = file->text;
     options.method = options.tableau ? method_beside_scene(words) : method_options(words, line);
+    if (const auto sweeps = words.whole_number("--sweeps"))
+        options.sweeps = {*sweeps, whole(words.value("--sweeps"))};
     options.max_order = words.whole_number("--max-order").value_or(options.max_order);
     options.format = words.choice<CertificateFormat>("--format").value_or(options.format);
     options.system = system_options(words);

@@ -44,6 +44,7 @@ struct CheckOptions {
 
     MethodOptions method;  ///< only its parameters where there is a `tableau`
     std::optional<std::filesystem::path> tableau;  ///< a file in place of a method
+    Wish<int> sweeps = {};  ///< counted ones of the steps that are checked; 0: to round-off
     int max_order = 8;
     Format format = Format::text;
     std::optional<SystemOptions> system;  ///< the system whose conserved quantities are checked

@@ -10,6 +10,7 @@
 #include "generator/drive/table.hpp"
 #include "generator/hamiltonian/time_scale.hpp"
 #include "generator/interpret/event_program.hpp"
+#include "generator/module/start_parameters.hpp"
 #include "generator/pipeline/directions.hpp"
 #include "generator/pipeline/passes.hpp"
 #include "generator/read/nearest.hpp"
@@ -89,6 +90,24 @@ void check_parameter(const Scene& scene, const SceneStepper& stepper, const std:
                      all.empty() ? "this scene has none" : "parameters: " + listed(all));
 }
 
+/// Returns the derivative of the initial values. Throws InputError where it is not known here.
+std::vector<double> start_of_sensitivity(const System& system, const std::string& parameter,
+                                         const Place& place) {
+    if (const auto start = start_by_parameter(system, parameter)) return *start;
+    throw InputError("the derivative of these initial values is not known", place,
+                     "let [initial] have numbers and functions of parameters");
+}
+
+/// Returns the stepper that carries the derivative by a parameter, and what that begins with.
+Sensitivity sensitivity_of(const MethodAndScene& both, const SceneStepper& stepper,
+                           const StepperWishes& wishes, const std::string& name, const Place& place,
+                           std::string_view what) {
+    if (!stepper.system.parts)
+        return {name, sensitivity_stepper(both.method, both.scene, wishes, name, what)};
+    return {name, stepper_of_parameter(stepper, both.method, both.scene, wishes, name, what),
+            start_of_sensitivity(stepper.system, name, place)};
+}
+
 std::vector<Sensitivity> sensitivities_of(const MethodAndScene& both, const SceneStepper& stepper,
                                           const StepperWishes& wishes, const Given& list) {
     constexpr std::string_view what = "--sensitivity";
@@ -103,7 +122,7 @@ std::vector<Sensitivity> sensitivities_of(const MethodAndScene& both, const Scen
             std::none_of(result.begin(), result.end(),
                          [&](const Sensitivity& other) { return other.parameter == name; });
         if (!is_new) throw InputError(fmt::format("`{}` is named twice", name), place);
-        result.push_back({name, sensitivity_stepper(both.method, both.scene, wishes, name, what)});
+        result.push_back(sensitivity_of(both, stepper, wishes, name, place, what));
     }
     return result;
 }
@@ -265,10 +284,14 @@ MonitorFindings measured(const Monitors& monitors, const Simulation& run, const 
     }
     for (const Sensitivity& each : monitors.sensitivities) {
         Shown shown(run, "steps with derivatives by a parameter");
-        found.sensitivities.push_back(find_tangents(
-            runner.target(each.stepper),
-            {.h = h, .steps = run.steps, .rest = run.rest, .own = true, .motion = monitors.motion},
-            [&](double part) { shown(part); }));
+        found.sensitivities.push_back(find_tangents(runner.target(each.stepper),
+                                                    {.h = h,
+                                                     .steps = run.steps,
+                                                     .rest = run.rest,
+                                                     .own = true,
+                                                     .start = each.start,
+                                                     .motion = monitors.motion},
+                                                    [&](double part) { shown(part); }));
     }
     if (monitors.shadow && run.steps >= ShadowWishes::fewest_steps()) {
         Shown shown(run, "steps with a shadow");

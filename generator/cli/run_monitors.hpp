@@ -21,6 +21,7 @@ namespace hvi::gen {
 struct Sensitivity {
     std::string parameter;
     SceneStepper stepper;
+    std::vector<double> start = {};  ///< of the derivative, where states have none
 };
 
 /// Measurements that are wished for, and the steppers for them.

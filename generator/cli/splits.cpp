@@ -56,7 +56,7 @@ std::string kept_text(const System& split, Scene scene) {
         if (!each.is_said)
             add(all, kept, kept.brackets[i], is_map ? to_text(each.expression) : each.name);
     }
-    add(all, kept, kept.brackets.back(), "energy");
+    if (!watched.found->depends_on_time) add(all, kept, kept.brackets.back(), "energy");
     std::string text;
     for (const auto& [what, names] : all)
         for (const std::string& line : wrapped(what, names)) text += line + "\n";
@@ -79,7 +79,7 @@ std::string candidates_text(const std::vector<SplitCandidate>& candidates, std::
                         each.error ? fmt::format("{:.1e}", *each.error) : "",
                         each.error ? fmt::format("{:.1e}", each.work()) : ""});
     }
-    return text_table("Steps of strang, and the error of the energy along the motion:", rows);
+    return text_table("Steps of strang in a row, and the error of the energy along the motion:", rows);
 }
 
 std::string parts_text(const System& split, const Scene& scene) {

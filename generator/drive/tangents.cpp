@@ -236,6 +236,7 @@ bool tell_matrix(const TangentWishes& wishes, ProgressOfSteps progress) {
 
 bool tell_own(const TangentWishes& wishes, ProgressOfSteps progress) {
     Directions directions(1, wishes.motion);
+    if (!wishes.start.empty()) directions.set({wishes.start});
     if (!take(directions, wishes, progress, [](std::int64_t) {})) return false;
     const DirectionVector own = directions.all().front();
     for (const double component : own) driver::say("component", component);

@@ -21,6 +21,7 @@ struct TangentWishes {
     bool spectrum = false;       ///< all Lyapunov exponents
     bool sali = false;           ///< the smaller alignment index
     bool own = false;            ///< the direction that begins as the states of the problem do
+    DirectionVector start = {};  ///< of that, where states have no direction
     double t = 0;                ///< at the end
     FindMotion motion = {};      ///< of scaled time; nothing where time is not scaled
     FindCrossing crossing = {};  ///< of the event there, for its derivative beside the matrix

@@ -83,6 +83,9 @@ private:
     [[nodiscard]] Scaled sum(const Terms& terms) {
         if (terms.empty()) { return Graph::number(0); }
         if (terms.size() == 1) { return product(terms.front()); }
+        if (const auto coefficient = common_coefficient(terms)) {
+            return bracket(*coefficient, terms);
+        }
         const auto variable = most_common(terms);
         if (!variable) { return sum_by_coefficients(terms); }
         Terms inside, rest;
@@ -91,6 +94,31 @@ private:
         }
         const Scaled taken = taken_out(*variable, std::move(inside));
         return rest.empty() ? taken : graph_.sum({taken, sum(rest)});
+    }
+
+    /// Returns the node that more than one coefficient is a number of times, if it is wanted: that
+    /// of the first of such terms.
+    [[nodiscard]] std::optional<Node> common_coefficient(const Terms& terms) const {
+        if (!form_.takes_coefficients) { return std::nullopt; }
+        for (const Term& term : terms) {
+            const Node node = term.coefficient.node;
+            const auto count = std::count_if(terms.begin(), terms.end(), [&](const Term& other) {
+                return other.coefficient.node == node;
+            });
+            if (count > 1 && !graph_.is_number(term.coefficient)) { return node; }
+        }
+        return std::nullopt;
+    }
+
+    [[nodiscard]] Scaled bracket(Node coefficient, const Terms& terms) {
+        Terms inside, rest;
+        for (const Term& term : terms) {
+            const bool has_it = term.coefficient.node == coefficient;
+            (has_it ? inside : rest).push_back(term);
+            if (has_it) { inside.back().coefficient = Graph::number(term.coefficient.factor); }
+        }
+        const Scaled together = graph_.product({{1, 1}, coefficient}, sum(inside));
+        return rest.empty() ? together : graph_.sum({together, sum(rest)});
     }
 
     /// Returns the variable that most terms have; empty where each has its own.

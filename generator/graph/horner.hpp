@@ -8,9 +8,10 @@ namespace hvi::gen {
 
 /// Ways to write a polynomial. None is the shortest for all.
 struct HornerForm {
-    bool takes_last = false;    ///< of variables that equally many monomials have
-    bool takes_roots = false;   ///< 1/sqrt(a) for negative powers, where 1/a would do
-    bool divides_once = false;  ///< by the product of all divisors of a term
+    bool takes_last = false;          ///< of variables that equally many monomials have
+    bool takes_roots = false;         ///< 1/sqrt(a) for negative powers, where 1/a would do
+    bool divides_once = false;        ///< by the product of all divisors of a term
+    bool takes_coefficients = false;  ///< a coefficient of several terms before variables
 };
 
 /// Returns a polynomial in Horner's form, as nodes of the graph: the variable that most monomials

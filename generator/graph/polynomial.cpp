@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <functional>
+#include <optional>
+#include <utility>
 
 namespace hvi::gen {
 
@@ -29,6 +32,63 @@ bool is_short(const NodePolynomial& polynomial) {
                    return std::labs(factor.second) <= 2 * highest_power;
                });
            });
+}
+
+void add(Graph& graph, NodePolynomial& polynomial, const PowerProduct& monomial,
+         const Scaled& coefficient) {
+    if (coefficient.is_zero()) { return; }
+    const auto [found, is_new] = polynomial.emplace(monomial, coefficient);
+    if (is_new) { return; }
+    found->second = graph.sum({found->second, coefficient});
+    if (found->second.is_zero()) { polynomial.erase(found); }
+}
+
+long twice_exponent_of(Node node, const PowerProduct& monomial) {
+    const auto found = std::find_if(monomial.begin(), monomial.end(),
+                                    [&](const auto& factor) { return factor.first == node; });
+    return found == monomial.end() ? 0 : found->second;
+}
+
+/// Returns the variables of which there is a square or a higher power, and whole powers alone.
+std::vector<Node> with_whole_powers(const NodePolynomial& polynomial) {
+    std::map<Node, std::pair<bool, long>> found;
+    for (const auto& [monomial, coefficient] : polynomial) {
+        for (const auto& [node, twice_exponent] : monomial) {
+            auto& [is_whole, most] = found.emplace(node, std::pair(true, 0L)).first->second;
+            is_whole = is_whole && twice_exponent > 0 && twice_exponent % 2 == 0;
+            most = std::max(most, twice_exponent);
+        }
+    }
+    std::vector<Node> result;
+    for (const auto& [node, powers] : found) {
+        if (powers.first && powers.second >= 4) { result.push_back(node); }
+    }
+    return result;
+}
+
+/// Divides by the node less b, by Horner's scheme. Returns nothing where a remainder is left.
+std::optional<NodePolynomial> divided(Graph& graph, const NodePolynomial& polynomial, Node node,
+                                      const Scaled& b) {
+    std::map<long, NodePolynomial, std::greater<>> by_powers;
+    for (const auto& [monomial, coefficient] : polynomial) {
+        const long twice = twice_exponent_of(node, monomial);
+        by_powers[twice / 2].emplace(product(monomial, {{node, -twice}}), coefficient);
+    }
+    NodePolynomial quotient, last;
+    for (long power = by_powers.begin()->first; power >= 0; --power) {
+        NodePolynomial next = by_powers[power];
+        for (const auto& [monomial, coefficient] : last) {
+            add(graph, next, product(monomial, {{b.node, 2}}), graph.times(b.factor, coefficient));
+        }
+        last = std::move(next);
+        if (power == 0) { break; }
+        for (const auto& [monomial, coefficient] : last) {
+            const PowerProduct of_node =
+                power == 1 ? PowerProduct{} : PowerProduct{{node, 2 * (power - 1)}};
+            add(graph, quotient, product(monomial, of_node), coefficient);
+        }
+    }
+    return last.empty() ? std::optional(std::move(quotient)) : std::nullopt;
 }
 
 }  // namespace
@@ -112,11 +172,26 @@ bool Expansion::stays_whole(Node node) const {
 
 void Expansion::add(NodePolynomial& polynomial, const PowerProduct& monomial,
                     const Scaled& coefficient) {
-    if (coefficient.is_zero()) { return; }
-    const auto [found, is_new] = polynomial.emplace(monomial, coefficient);
-    if (is_new) { return; }
-    found->second = graph_.sum({found->second, coefficient});
-    if (found->second.is_zero()) { polynomial.erase(found); }
+    gen::add(graph_, polynomial, monomial, coefficient);
+}
+
+std::vector<LinearFactor> linear_factors(Graph& graph, const NodePolynomial& polynomial) {
+    constexpr std::size_t most_variables = 4;
+    const std::vector<Node> variables = with_whole_powers(polynomial);
+    std::vector<LinearFactor> result;
+    if (variables.size() > most_variables) { return result; }
+    for (std::size_t i = 0; i < variables.size(); ++i) {
+        for (std::size_t k = i + 1; k < variables.size(); ++k) {
+            const Node a = variables[i], b = variables[k];
+            for (const long sign : {1L, -1L}) {
+                auto quotient = divided(graph, polynomial, a, {{sign, 1}, b});
+                if (!quotient) { continue; }
+                const Scaled factor = graph.sum({{{1, 1}, a}, {{-sign, 1}, b}});
+                result.push_back({factor, std::move(*quotient)});
+            }
+        }
+    }
+    return result;
 }
 
 }  // namespace hvi::gen

@@ -46,4 +46,15 @@ private:
     std::map<Node, NodePolynomial> known_;
 };
 
+/// A polynomial as a product: the sum or difference of two variables, and what it leaves.
+struct LinearFactor {
+    Scaled factor;
+    NodePolynomial quotient;
+};
+
+/// Returns the sums and differences of two variables that divide a short polynomial without a
+/// remainder, as r - s divides r + a r^2 - s - a s^2. Empty where that has few variables or many.
+[[nodiscard]] std::vector<LinearFactor> linear_factors(Graph& graph,
+                                                       const NodePolynomial& polynomial);
+
 }  // namespace hvi::gen

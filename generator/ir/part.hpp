@@ -20,9 +20,18 @@ struct Moved {
     Scaled change;
 };
 
+/// Functions of the runtime that compute values in each flow.
+enum class RuntimeFunction {
+    orbits,               ///< of bodies about each other: orbit_values()
+    turn_about_momentum,  ///< of a body
+};
+
+/// Values that the runtime computes for one orbit: f - 1, g - tau, f' and g' - 1.
+inline constexpr std::size_t changes_of_orbit = 4;
+
 /// Values that a function of the runtime computes in each flow, an array from an array.
 struct RuntimeValues {
-    std::string function;  ///< in hvi::detail
+    RuntimeFunction function;
     std::vector<Scaled> given;
     std::vector<Node> results;  ///< inputs of the graph
 };
@@ -34,8 +43,8 @@ struct UsualFlow {
     std::vector<Moved> moved;
 };
 
-/// The flow of a quadratic form z^T S z/2 + l^T z of degrees of freedom that it couples, z = (q, p),
-/// as a matrix: the runtime computes that when the time changes, and the changes from it.
+/// The flow of a quadratic form z^T S z/2 + l^T z of degrees of freedom that it couples, z = (q,
+/// p), as a matrix: the runtime computes that when the time changes, and the changes from it.
 struct FormMoved {
     std::vector<std::size_t> degrees;  ///< components of q and of p
     std::vector<Scaled> rows;          ///< of (S l), each from the diagonal on
@@ -47,11 +56,11 @@ struct HamiltonianPart {
     Expression expression;  ///< as it was written, or found
     std::string flow;       ///< in words: `kicks and drifts`
     std::vector<Moved> moved;
-    std::optional<UsualFlow> usual;  ///< with fewer operations
+    std::optional<UsualFlow> usual;                ///< with fewer operations
     std::vector<RuntimeValues> in_each_flow = {};  ///< that the changes are computed from
     std::vector<FormMoved> forms = {};
-    Scaled value = {};      ///< of the part
-    std::string text = {};  ///< that tells more than a long expression; may be empty
+    Scaled value = {};                     ///< of the part
+    std::string text = {};                 ///< that tells more than a long expression; may be empty
     std::vector<Expression> made_of = {};  ///< functions that it is a function of; may be empty
 };
 
@@ -72,10 +81,14 @@ struct HamiltonianParts {
     Node duration = 0;  ///< input of the graph with Role::parameter: the time of a flow
     std::vector<HamiltonianPart> parts;
     SmallSteps small_steps = {};
+    /// Part with whose flow the time goes on, where H depends on it. This part does not depend on
+    /// it, and in all other flows the time stands still.
+    std::optional<std::size_t> clock = {};
 };
 
-/// Return whether a part moves by the matrix of a quadratic form, and whether one does by orbits.
+/// Returns whether a part moves by the matrix of a quadratic form.
 [[nodiscard]] bool moves_forms(const HamiltonianParts& parts);
-[[nodiscard]] bool moves_on_orbits(const HamiltonianParts& parts);
+/// Returns whether the flow of a part needs a function of the runtime.
+[[nodiscard]] bool calls(const HamiltonianParts& parts, RuntimeFunction function);
 
 }  // namespace hvi::gen

@@ -58,6 +58,7 @@ std::string dump(const SystemProperties& system) {
     add(system.is_degenerate, "d2H/dp2 has a row of zeros");
     add(system.is_lattice, "a lattice");
     if (system.parts > 0) { result += fmt::format("parts: {}\n", system.parts); }
+    if (system.clock) { result += fmt::format("clock: part {}\n", *system.clock + 1); }
     if (const SmallSteps& small = system.small_steps; small.exist()) {
         result += fmt::format("fast parts: {}, in {} small steps\n", small.parts, small.count);
     }
@@ -76,6 +77,7 @@ void verify(const SystemProperties& system) {
     HVI_CHECK(system.degrees_of_freedom == 0 ||
               rotations_of_space.tangent * system.rotations <= system.degrees_of_freedom);
     HVI_CHECK(!system.small_steps.exist() || system.small_steps.parts < system.parts);
+    HVI_CHECK(!system.clock || (system.depends_on_time && *system.clock < system.parts));
     HVI_CHECK(system.rotations == 0 || system.side == Side::hamiltonian);
     const auto* stiff = std::get_if<StiffComponents>(&system.linear);
     HVI_CHECK(stiff == nullptr ||

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -77,6 +78,7 @@ struct SystemProperties {
     Container container = Container::of_user;
     std::size_t parts = 0;  ///< parts whose flows make up the steps; 0: there are none
     SmallSteps small_steps = {};
+    std::optional<std::size_t> clock = {};  ///< part with whose flow the time goes on
     bool is_lattice = false;  ///< whether there are sites; see Sites
     HessianForm hessian = HessianForm::dense;
     EvaluationCosts costs = {};     ///< zeros: not known

@@ -13,6 +13,14 @@ std::vector<std::size_t> Block::of(StageNode::Kind kind) const {
     return indices;
 }
 
+std::vector<FlowStep::Round> FlowStep::between() const {
+    std::vector<Round> result = rounds;
+    result.front().moves.erase(result.front().moves.begin());
+    result.back().moves.pop_back();
+    std::erase_if(result, [](const Round& round) { return round.moves.empty(); });
+    return result;
+}
+
 std::vector<std::size_t> FlowStep::counts() const {
     std::vector<std::size_t> counts(fractions.size());
     for (const Round& round : rounds) {
@@ -33,6 +41,11 @@ bool Iteration::takes_newton() const {
 
 bool Iteration::only_sweeps() const {
     return solver == Solver::fixed_point || solver == Solver::sweeps;
+}
+
+bool Step::depends_on_time() const {
+    const auto* flows = std::get_if<FlowStep>(&form);
+    return !c.empty() || (flows != nullptr && flows->clock.has_value());
 }
 
 std::size_t Step::coupled_blocks() const {

@@ -116,6 +116,11 @@ struct ExplicitStep {
 
 /// Flows of parts of H in turn, each exact; nothing is solved.
 struct FlowStep {
+    /// Things that the flows move.
+    enum class Moving {
+        numbers,
+        bodies,  ///< these, and bodies that turn
+    };
     /// The flow of a part over a fraction of h.
     struct Move {
         std::size_t part;
@@ -128,7 +133,14 @@ struct FlowStep {
     };
     std::vector<NumberVector> fractions;  ///< of each part, each value once
     std::vector<Round> rounds;
+    Moving moving = Moving::numbers;
+    /// Fraction, among those of its part, of the last flow of a step and the first one of the next
+    /// at once, where both are of one part.
+    std::optional<std::size_t> joined = {};
+    std::optional<std::size_t> clock = {};  ///< part with whose flow the time goes on
 
+    /// Returns the rounds without the first flow and the last one. Precondition: these are joined.
+    [[nodiscard]] std::vector<Round> between() const;
     /// Returns how many flows of each part there are in a step.
     [[nodiscard]] std::vector<std::size_t> counts() const;
     /// Returns how many flows there are in a step.
@@ -285,7 +297,7 @@ struct StageCorrections {
 /// Things that a step moves beside the state.
 enum class Carries {
     nothing,
-    directions,  ///< any number of them, by its derivative, with the stages of (q, p)
+    directions,  ///< any number of them, by its derivative, with the stages of (q, p) or its flows
 };
 
 /// A choice, and why.
@@ -337,7 +349,7 @@ struct Step {
 
     [[nodiscard]] bool is_separable() const { return slopes == Slopes::of_parts; }
     /// dH/dq does, and dH/dp where it is not separable.
-    [[nodiscard]] bool depends_on_time() const { return !c.empty(); }
+    [[nodiscard]] bool depends_on_time() const;
     /// No equations to solve.
     [[nodiscard]] bool is_explicit() const { return coupled_blocks() == 0; }
     [[nodiscard]] std::size_t coupled_blocks() const;

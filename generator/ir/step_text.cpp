@@ -172,6 +172,8 @@ std::string lines(const ExplicitStep& form) {
 
 std::string lines(const FlowStep& form) {
     std::string result = "form: flows\n";
+    if (form.moving == FlowStep::Moving::bodies) { result += "bodies turn\n"; }
+    if (form.clock) { result += fmt::format("clock: part {}\n", *form.clock + 1); }
     for (std::size_t k = 0; k < form.fractions.size(); ++k) {
         result += line(fmt::format("part {}", k + 1), form.fractions[k]);
     }
@@ -181,6 +183,10 @@ std::string lines(const FlowStep& form) {
             result += fmt::format(" {}.{}", part + 1, fraction + 1);
         }
         result += '\n';
+    }
+    if (form.joined) {
+        result += fmt::format("joined: {}.{}\n", form.rounds.front().moves.front().part + 1,
+                              *form.joined + 1);
     }
     return result;
 }
@@ -251,7 +257,7 @@ std::string dump(const Step& step) {
     result += fmt::format("tables: {}\n", text(step.partner));
     result += lines("Q", step.positions);
     result += lines("P", step.momenta);
-    if (step.depends_on_time()) { result += line("times", step.c); }
+    if (!step.c.empty()) { result += line("times", step.c); }
     if (!step.momenta.empty()) { result += lines("m", step.m); }
     for (const Block& block : step.blocks) { result += line(block); }
     if (step.kept.force) { result += "kept: dH/dq\n"; }

@@ -161,8 +161,12 @@ void verify_form(const Step& step, const ExplicitStep&) {
 }
 
 void verify_form(const Step& step, const FlowStep& form) {
-    HVI_CHECK(step.is_explicit() && step.layout == Layout::one && !step.depends_on_time());
-    HVI_CHECK(!step.kept.any() && !step.from_parameter && !form.rounds.empty());
+    const bool are_lanes = step.layout == Layout::trajectories;
+    HVI_CHECK(step.is_explicit() && (step.layout == Layout::one || are_lanes));
+    HVI_CHECK(!are_lanes || !form.joined);
+    HVI_CHECK(step.c.empty() && !step.kept.any() && !step.from_parameter);
+    HVI_CHECK(!form.clock || (!are_lanes && *form.clock < form.fractions.size()));
+    HVI_CHECK(!form.rounds.empty());
     std::vector<Number> sums(form.fractions.size(), Number(0));
     for (const auto& [moves, times] : form.rounds) {
         HVI_CHECK(!moves.empty() && times > 0);
@@ -173,6 +177,14 @@ void verify_form(const Step& step, const FlowStep& form) {
         }
     }
     for (const Number& sum : sums) { HVI_CHECK(!differ(sum, Number(1))); }
+    if (form.joined) {
+        const FlowStep::Round &begin = form.rounds.front(), &end = form.rounds.back();
+        const FlowStep::Move &first = begin.moves.front(), &last = end.moves.back();
+        const NumberVector& of = form.fractions[first.part];
+        HVI_CHECK(begin.times == 1 && end.times == 1 && first.part == last.part);
+        HVI_CHECK(form.flows() > 1 && *form.joined < of.size());
+        HVI_CHECK(!differ(of[*form.joined], of[first.fraction] + of[last.fraction]));
+    }
     verify_order(step);
 }
 
@@ -212,7 +224,9 @@ void verify_form(const Step& step, const PairStep& form) {
 
 void verify_form(const Step& step, const ChartStep& form) {
     const std::size_t s = step.positions.size();
-    HVI_CHECK(step.slopes == Slopes::joint && step.layout == Layout::one);
+    const bool are_lanes = step.layout == Layout::stages;
+    HVI_CHECK(step.slopes == Slopes::joint && (step.layout == Layout::one || are_lanes));
+    HVI_CHECK(!are_lanes || (s > 1 && step.in_a_row.empty()));
     HVI_CHECK(step.momenta.size() == s && !step.kept.any() && !step.from_parameter);
     HVI_CHECK(step.blocks.size() == 1 && step.coupled_blocks() == 1);
     verify_rounded(step, form.coefficients);

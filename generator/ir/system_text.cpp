@@ -326,6 +326,7 @@ std::string lines(const HamiltonianParts& parts) {
             result += line("q and p move by a form" + degrees, joined(form.rows));
         }
     }
+    if (parts.clock) { result += line("clock", parts.parts[*parts.clock].name); }
     if (const SmallSteps& small = parts.small_steps; small.exist()) {
         result +=
             line("small steps", fmt::format("{}, of the first {} parts", small.count, small.parts));

@@ -11,6 +11,9 @@
 #include "generator/graph/horner.hpp"
 #include "generator/graph/polynomial.hpp"
 #include "generator/graph/replaced.hpp"
+#include "generator/lower/common_products.hpp"
+#include "generator/lower/derivative.hpp"
+#include "generator/lower/exponentials.hpp"
 #include "generator/lower/kernel.hpp"
 #include "generator/lower/node_uses.hpp"
 
@@ -146,16 +149,25 @@ private:
             const auto [found, is_new] =
                 polynomials.insert(expansion(value.node, {shared, shifts})(value));
             if (!is_new) { continue; }
-            for (const HornerForm& form : forms_of(*found)) {
-                const Scaled written = horner(graph_, *found, form);
-                const bool is_known =
-                    std::find(result.begin(), result.end(), written) != result.end();
-                // NOTE: not 0, which may be a divisor.
-                const bool is_other = written.node != value.node && !written.is_zero();
-                if (is_other && !is_known) { result.push_back(written); }
+            add_forms(*found, Graph::number(1), value.node, result);
+            for (const LinearFactor& divisor : linear_factors(graph_, *found)) {
+                add_forms(divisor.quotient, divisor.factor, value.node, result);
             }
         }
         return result;
+    }
+
+    /// Adds Horner's forms of factor * polynomial that are no form of the node yet.
+    void add_forms(const NodePolynomial& polynomial, const Scaled& factor, Node node,
+                   std::vector<Scaled>& result) {
+        for (const HornerForm& form : forms_of(polynomial)) {
+            const Scaled written = graph_.product(factor, horner(graph_, polynomial, form));
+            const bool is_known = std::find(result.begin(), result.end(), written) != result.end();
+            // NOTE: not 0, which may be a divisor.
+            if (written.node != node && !written.is_zero() && !is_known) {
+                result.push_back(written);
+            }
+        }
     }
 
     /// NOTE: roots only where they are needed anyway, outside of choices: elsewhere 1/a may have a
@@ -169,11 +181,13 @@ private:
                 have_roots = have_roots && uses_.has_root(node);
             }
         }
-        std::vector<HornerForm> result{{false, false, false}, {true, false, false}};
+        std::vector<HornerForm> result{{}, {.takes_last = true}, {.takes_coefficients = true}};
         if (!has_inverses) { return result; }
-        result.insert(result.end(), {{false, false, true}, {true, false, true}});
+        result.insert(result.end(),
+                      {{.divides_once = true}, {.takes_last = true, .divides_once = true}});
         if (have_roots) {
-            result.insert(result.end(), {{false, true, false}, {true, true, false}});
+            result.insert(result.end(),
+                          {{.takes_roots = true}, {.takes_last = true, .takes_roots = true}});
         }
         return result;
     }
@@ -213,9 +227,39 @@ private:
 }  // namespace
 
 std::vector<Scaled> collected(Graph& graph, const std::vector<Scaled>& values) {
-    std::vector<Scaled> result = Collecting(graph, with_shared_numbers(graph, values))();
-    const double before = cost(kernel(graph, values).counts);
-    return cost(kernel(graph, result).counts) < before ? result : values;
+    const auto cost_of = [&](const std::vector<Scaled>& some) {
+        return cost(kernel(graph, some).counts);
+    };
+    std::vector<Scaled> best = with_powers_of_exponentials(graph, values);
+    double least = cost_of(best);
+    const std::vector<Scaled> derived = best;
+    // Returns the part of the cost that is saved.
+    const auto try_collected = [&](const std::vector<Scaled>& from) {
+        std::vector<Scaled> form = Collecting(graph, with_shared_numbers(graph, from))();
+        const double cost = cost_of(form);
+        if (cost >= least) { return 0.0; }
+        best = std::move(form);
+        return 1 - cost / std::exchange(least, cost);
+    };
+    try_collected(best);
+    // NOTE: Horner's form takes factors out of sums that others have in products.
+    const std::vector<Scaled> apart = with_common_products(graph, derived);
+    if (apart != derived) { try_collected(apart); }
+    // NOTE: a form has new nodes, which may have shorter forms themselves. What is found again and
+    // again in many thousands of operations is not worth the time.
+    constexpr double worth = 0.01;
+    while (try_collected(with_common_products(graph, best)) > worth) {}
+    return best;
+}
+
+std::vector<Scaled> short_gradient(Graph& graph, const Scaled& f, const std::vector<Node>& inputs) {
+    const std::vector<Scaled> in_terms = gradient(graph, f, inputs, Shares::in_terms);
+    const std::vector<Scaled> whole = gradient(graph, f, inputs, Shares::whole);
+    std::vector<Scaled> result = collected(graph, in_terms);
+    if (whole == in_terms) { return result; }
+    std::vector<Scaled> other = collected(graph, whole);
+    const double cost_of_other = cost(kernel(graph, other).counts);
+    return cost_of_other < cost(kernel(graph, result).counts) ? other : result;
 }
 
 }  // namespace hvi::gen

@@ -14,4 +14,8 @@ namespace hvi::gen {
 /// of the result are never more than those of the values.
 [[nodiscard]] std::vector<Scaled> collected(Graph& graph, const std::vector<Scaled>& values);
 
+/// Returns the partial derivatives of f by these inputs, collected.
+[[nodiscard]] std::vector<Scaled> short_gradient(Graph& graph, const Scaled& f,
+                                                 const std::vector<Node>& inputs);
+
 }  // namespace hvi::gen

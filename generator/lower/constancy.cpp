@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "generator/lower/constancy.hpp"
 
+#include <algorithm>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -106,6 +108,23 @@ std::optional<Scaled> constant_value(Graph& graph, const Scaled& a) {
     if (!constant) { return std::nullopt; }
     const Expression difference = Expression::sum({*varying, Expression::negation(*constant)});
     return is_proved_zero(difference) ? value : std::nullopt;
+}
+
+bool depend(const Graph& graph, const std::vector<Scaled>& values, const std::vector<Node>& nodes) {
+    std::set<Node> open;
+    for (const Scaled& value : values) {
+        if (!value.is_zero()) { open.insert(value.node); }
+    }
+    while (!open.empty()) {
+        const Node node = *open.rbegin();
+        open.erase(node);
+        if (std::find(nodes.begin(), nodes.end(), node) != nodes.end()) { return true; }
+        const Computation& computation = graph.at(node);
+        if ((computation.roles & of_state) == 0) { continue; }
+        for (const Scaled& term : computation.terms) { open.insert(term.node); }
+        for (const Node argument : computation.arguments) { open.insert(argument); }
+    }
+    return false;
 }
 
 Scaled difference_of(Graph& graph, const Scaled& a, const Scaled& b) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "generator/graph/graph.hpp"
 #include "generator/scene/value_at.hpp"
@@ -16,6 +17,10 @@ namespace hvi::gen {
 /// there is one and that is proved: by the graph, or in a field in which variables and parameters
 /// are free.
 [[nodiscard]] std::optional<Scaled> constant_value(Graph& graph, const Scaled& a);
+
+/// Returns whether one of the values depends on one of the nodes, as they are written.
+[[nodiscard]] bool depend(const Graph& graph, const std::vector<Scaled>& values,
+                          const std::vector<Node>& nodes);
 
 /// Returns a - b.
 [[nodiscard]] Scaled difference_of(Graph& graph, const Scaled& a, const Scaled& b);

@@ -51,9 +51,11 @@ using Gradients = std::map<Node, std::vector<Scaled>>;
 /// Reverse sweep: goes down from f, and adds each node's share to its arguments.
 class Reverse {
 public:
-    Reverse(Graph& graph, const Scaled& f, const std::vector<Node>& inputs, Gradients& known)
+    Reverse(Graph& graph, const Scaled& f, const std::vector<Node>& inputs, Shares handed,
+            Gradients& known)
         : graph_(graph),
           inputs_(inputs),
+          handed_(handed),
           known_(known),
           shares_(f.node + 1),
           is_active_(f.node + 1) {
@@ -151,21 +153,19 @@ private:
     [[nodiscard]] std::vector<Scaled> gradient_of(Node node) {
         const auto known = known_.find(node);
         if (known != known_.end()) { return known->second; }
-        const Reverse reverse(graph_, {{1, 1}, node}, inputs_, known_);
+        const Reverse reverse(graph_, {{1, 1}, node}, inputs_, handed_, known_);
         return known_[node] = reverse.totals();
     }
 
-    /// Returns a share in terms, multiplied out where it is a short polynomial: like terms of y^2/2
-    /// - y^3/3 come together, which y (1/2 - y/3) - y^2/3 hides. NOTE: a sum of inputs alone is not
-    /// multiplied out: x - y is the distance of two bodies, and c x - c y would lose its digits.
-    /// - y^3/3 come together, which y (1/2 - y/3) - y^2/3 hides. NOTE: not a sum of inputs alone: x
-    /// - y is the distance of two bodies, and c x - c y would lose its digits.
+    /// Returns the terms of a share that is a short polynomial; any other as it is. NOTE: not of a
+    /// sum of inputs alone: x - y is the distance of two bodies, and c x - c y would lose its
+    /// digits.
     [[nodiscard]] std::vector<Scaled> parts(const Scaled& share) const {
         constexpr std::size_t most = 3;
         const Computation& computation = graph_.at(share.node);
         const std::vector<Scaled>& terms = computation.terms;
         const bool is_polynomial =
-            !terms.empty() && terms.size() <= most &&
+            handed_ == Shares::in_terms && !terms.empty() && terms.size() <= most &&
             !std::all_of(terms.begin(), terms.end(),
                          [&](const Scaled& term) { return is_input(term.node); }) &&
             std::all_of(terms.begin(), terms.end(),
@@ -233,6 +233,7 @@ private:
 
     Graph& graph_;
     const std::vector<Node>& inputs_;
+    Shares handed_;
     Gradients& known_;
     std::vector<std::vector<Scaled>> shares_;  ///< terms of the derivative of f by each node
     std::vector<bool> is_active_;              ///< whether a node depends on the inputs
@@ -240,9 +241,10 @@ private:
 
 }  // namespace
 
-std::vector<Scaled> gradient(Graph& graph, const Scaled& f, const std::vector<Node>& inputs) {
+std::vector<Scaled> gradient(Graph& graph, const Scaled& f, const std::vector<Node>& inputs,
+                             Shares shares) {
     Gradients known;
-    return Reverse(graph, f, inputs, known).totals();
+    return Reverse(graph, f, inputs, shares, known).totals();
 }
 
 }  // namespace hvi::gen

@@ -20,9 +20,6 @@ struct Flow {
     std::vector<FormMoved> forms = {};
 };
 
-/// Values that the runtime computes for one orbit: f - 1, g - tau, f' and g' - 1.
-inline constexpr std::size_t changes_of_orbit = 4;
-
 /// Returns the operations of a flow, but for those of compensated sums.
 [[nodiscard]] OperationCounts counts_of_flow(const Graph& graph, const HamiltonianPart& part);
 

@@ -21,14 +21,14 @@ struct NoFlow {
 /// - a function of variables that it does not move: kicks, drifts, torques, which are shears;
 /// - a quadratic form of one degree of freedom: a rotation, or hyperbolic, as three shears;
 /// - a quadratic form of several degrees, with linear terms or without: a matrix;
-/// - a function f(Q) of a form of one degree: the flow of Q with the speed f'(Q), as Q is
-/// conserved;
+/// - a function f(Q) of a sum Q of forms of one degree each: the flow of Q with the speed f'(Q), as
+/// Q is conserved;
 /// - a function of one component of the angular momentum of a body: a turn about its axis;
 /// - a kinetic energy and attractions -k/r of relative motions that do not couple: Kepler orbits.
 ///
 /// Shears are symplectic however their coefficients are rounded, and matrices have twice the
-/// digits. Each property is proved by exact algebra. Precondition: the system is written out, and H
-/// does not depend on the time.
+/// digits. The time stands still, and where a function depends on it only shears are known. Each
+/// property is proved by exact algebra. Precondition: the system is written out.
 [[nodiscard]] std::variant<Flow, NoFlow> flow_of(System& system, const Scaled& function,
                                                  Node duration);
 

@@ -14,6 +14,7 @@
 #include "generator/lower/constancy.hpp"
 #include "generator/lower/flows.hpp"
 #include "generator/lower/orbits.hpp"
+#include "generator/lower/parts.hpp"
 #include "generator/lower/taken_names.hpp"
 
 namespace hvi::gen {
@@ -61,6 +62,7 @@ public:
         add_orbits(form, squares);
         if (!is_jacobi) add_motion_of_first();
         add_rest(form);
+        if (system_.time) set_clock(graph_, parts_);
         system_.parts = std::move(parts_);
         return std::move(system_);
     }

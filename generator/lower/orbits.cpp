@@ -235,7 +235,7 @@ public:
             strengths.push_back(graph_.product(form_.attractions[j].strength, inverse_mass(j)));
             add_changes(j, Q, V);
         }
-        RuntimeValues values{fmt::format("orbit_values<{}>", count), std::move(squares), {}};
+        RuntimeValues values{RuntimeFunction::orbits, std::move(squares), {}};
         for (const auto* more : {&products, &speeds, &strengths})
             values.given.insert(values.given.end(), more->begin(), more->end());
         values.given.push_back(tau_);

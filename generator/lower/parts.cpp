@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <set>
 #include <string>
 #include <utility>
@@ -60,6 +61,10 @@ Expression expression_of(const Graph& graph, const Scaled& value) {
     return written(graph, value).value_or(Expression::symbol(too_long_part));
 }
 
+bool is_of_time(const Graph& graph, const Scaled& value) {
+    return has(graph.at(value.node).roles, Role::time);
+}
+
 class PartsOfSystem {
 public:
     PartsOfSystem(System system, const WrittenOutScene& scene)
@@ -76,6 +81,7 @@ public:
         } else {
             find_parts(found == FoundParts::by_terms);
         }
+        if (system_.time) { set_clock(system_.graph, parts_); }
         system_.parts = std::move(parts_);
         return std::move(system_);
     }
@@ -110,13 +116,17 @@ private:
                                     : "their sum has to be H");
     }
 
-    /// Adds parts that are found among the terms of H.
+    /// Adds parts that are found among the terms of H. NOTE: the time is to go on with a part that
+    /// does not depend on it.
     void find_parts(bool may_take_matrices) {
         std::vector<Scaled> sums;
         std::vector<Flow> flows;
         for (const Scaled& term : terms()) {
             std::size_t k = 0;
             for (; k < sums.size(); ++k) {
+                if (is_of_time(system_.graph, sums[k]) != is_of_time(system_.graph, term)) {
+                    continue;
+                }
                 const Scaled sum = system_.graph.sum({sums[k], term});
                 auto flow = flow_of(system_, sum, parts_.duration);
                 auto* known = std::get_if<Flow>(&flow);
@@ -198,8 +208,9 @@ private:
 
     static constexpr const char* help_for_flows =
         "known are functions of variables that they do not move, quadratic forms of one degree of "
-        "freedom and functions of them, quadratic forms that couple up to 8 degrees, Kepler orbits "
-        "that do not couple, and functions of one component of an angular momentum";
+        "freedom, functions of sums of these, quadratic forms that couple up to 8 degrees, Kepler "
+        "orbits that do not couple, functions of one component of an angular momentum, and free "
+        "symmetric bodies";
 
     System system_;
     const WrittenOutScene& scene_;
@@ -211,6 +222,19 @@ private:
 std::string name_of_part(std::size_t k) {
     constexpr std::size_t letters = 26;
     return k < letters ? std::string(1, static_cast<char>('A' + k)) : fmt::format("P{}", k + 1);
+}
+
+void set_clock(const Graph& graph, HamiltonianParts& parts) {
+    std::vector<HamiltonianPart>& all = parts.parts;
+    const auto found = std::find_if(all.begin(), all.end(), [&](const HamiltonianPart& part) {
+        return !is_of_time(graph, part.value);
+    });
+    parts.clock = static_cast<std::size_t>(found - all.begin());
+    if (found != all.end()) { return; }
+    HamiltonianPart time{"t", Expression::integer(0), "the time alone", {}, {}};
+    time.value = Graph::number(0);
+    time.text = "the momentum of the time";
+    all.push_back(std::move(time));
 }
 
 System with_parts(System system, const WrittenOutScene& scene, FoundParts found) {

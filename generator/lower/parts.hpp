@@ -20,6 +20,12 @@ enum class FoundParts {
     kinetic_potential,  ///< T(p), then U(q)
 };
 
+/// Lets the time go on with the first part that does not depend on it. Where all parts do, a last
+/// one is added that moves the time alone. NOTE: in the extended system the time is a coordinate,
+/// and H + E the Hamiltonian, where E is the momentum of the time. So E is a term of one part, and
+/// the flows of the others leave the time where it is.
+void set_clock(const Graph& graph, HamiltonianParts& parts);
+
 /// Returns the system with the parts that its scene names, or else with parts that are found
 /// among the terms of H, in their order. Throws
 /// InputError for parts whose sum is not H, with the difference, and MathError for a part whose

@@ -9,7 +9,6 @@
 #include "generator/graph/replaced.hpp"
 #include "generator/lower/accesses.hpp"
 #include "generator/lower/collected.hpp"
-#include "generator/lower/derivative.hpp"
 #include "generator/lower/turns.hpp"
 
 namespace hvi::gen {
@@ -50,8 +49,7 @@ std::vector<AccessSlope> slopes(System& system, const Scaled& value,
                                 const std::vector<std::size_t>& accesses) {
     std::vector<Node> inputs;
     for (const std::size_t access : accesses) { inputs.push_back(system.accesses[access].node); }
-    const std::vector<Scaled> values =
-        collected(system.graph, gradient(system.graph, value, inputs));
+    const std::vector<Scaled> values = short_gradient(system.graph, value, inputs);
     std::vector<AccessSlope> result;
     for (std::size_t k = 0; k < values.size(); ++k) {
         if (!values[k].is_zero()) { result.push_back({accesses[k], values[k]}); }

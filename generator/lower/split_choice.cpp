@@ -18,6 +18,8 @@ constexpr std::size_t most_measured = 24;  ///< degrees of freedom: second deriv
 System in_reverse(System system) {
     std::vector<HamiltonianPart>& parts = system.parts.value().parts;
     std::reverse(parts.begin(), parts.end());
+    std::optional<std::size_t>& clock = system.parts->clock;
+    if (clock) clock = parts.size() - 1 - *clock;
     for (std::size_t k = 0; k < parts.size(); ++k) parts[k].name = name_of_part(k);
     return system;
 }
@@ -64,7 +66,8 @@ std::vector<SplitCandidate> split_candidates(const System& system, const Written
 void measure(std::vector<SplitCandidate>& all, const WrittenOutScene& scene) {
     for (SplitCandidate& each : all) each.cost = cost_of_strang(each.system);
     const System& first = all.front().system;
-    if (first.degrees_of_freedom() > most_measured || first.parts->parts.size() < 2) return;
+    if (first.time || first.degrees_of_freedom() > most_measured) return;
+    if (first.parts->parts.size() < 2) return;
     const auto states = states_of_motion(first, scene);
     if (!states) return;
     for (SplitCandidate& each : all) each.error = split_error(each.system, scene, *states);

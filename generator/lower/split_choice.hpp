@@ -37,7 +37,7 @@ struct SplitCandidate {
                                                            const WrittenOutScene& scene);
 
 /// Measures candidates along the motion from the start. There are no errors where the scene has no
-/// initial state, for one part, and beyond 24 degrees of freedom.
+/// initial state, for one part, where H depends on the time, and beyond 24 degrees of freedom.
 void measure(std::vector<SplitCandidate>& all, const WrittenOutScene& scene);
 
 /// Returns the place of the candidate that splittings take: that of the least work, if it takes

@@ -281,9 +281,10 @@ double cost_of_strang(const System& system) {
     const std::vector<HamiltonianPart>& parts = system.parts.value().parts;
     double sum = 0;
     for (const HamiltonianPart& part : parts) {
+        const bool is_made_once = &part == &parts.front() || &part == &parts.back();
         const double of_sums = cost_of_exact_sum * static_cast<double>(numbers_moved(part));
         const double of_flow = of_sums + cost(counts_of_flow(system.graph, part));
-        sum += (&part == &parts.back() ? 1 : 2) * of_flow;
+        sum += (is_made_once ? 1 : 2) * of_flow;
     }
     return sum;
 }

@@ -32,8 +32,9 @@ using StatesOfMotion = std::vector<std::vector<double>>;
 [[nodiscard]] std::optional<StatesOfMotion> states_of_motion(System system,
                                                              const WrittenOutScene& scene);
 
-/// Returns the operations of the flows in a step of strang, with compensated sums, in additions.
-/// Precondition: the system has parts.
+/// Returns the operations of the flows in a step of strang, with compensated sums, in additions. Of
+/// steps in a row: the last flow of a step and the first one of the next are one. Precondition: the
+/// system has parts.
 [[nodiscard]] double cost_of_strang(const System& system);
 
 }  // namespace hvi::gen

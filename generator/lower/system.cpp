@@ -73,6 +73,7 @@ SystemProperties properties(const System& system) {
         .container = system.is_written_out() ? Container::arrays : Container::vectors,
         .parts = system.parts ? system.parts->parts.size() : 0,
         .small_steps = system.parts ? system.parts->small_steps : SmallSteps{},
+        .clock = system.parts ? system.parts->clock : std::nullopt,
         .is_lattice = system.sites.has_value(),
         .hessian = found.hessian,
     };

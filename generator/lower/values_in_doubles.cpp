@@ -4,6 +4,7 @@
 #include <cmath>
 #include <unordered_map>
 
+#include "generator/expr/own_functions.hpp"
 #include "generator/graph/written.hpp"
 #include "generator/scene/value_at.hpp"
 #include "generator/support/error.hpp"
@@ -54,8 +55,11 @@ private:
         return called(computation);
     }
 
-    /// Returns the value of a function or a power. NOTE: by enclosures, as libraries of C++ differ.
+    /// Returns the value of a function or a power. NOTE: by enclosures, as libraries of C++ differ,
+    /// and there are none of a function of the user's own.
     [[nodiscard]] double called(const Computation& computation) {
+        const bool is_call = computation.operation == Operation::call;
+        if (is_call && is_own_function(computation.name)) { return std::nan(""); }
         SymbolValues values;
         std::vector<Expression> symbols;
         for (const Node argument : computation.arguments) {

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <utility>
@@ -91,6 +92,19 @@ struct ModuleKind {
     std::string stepper;    ///< the class of the stepper
 };
 
+/// Returns the statements that read parameters, of which one may be what dual numbers are
+/// differentiated by. NOTE: they may return.
+std::string reading_of(const SceneStepper& stepper, const System& system,
+                       const std::string& reading) {
+    if (stepper.differentiated_by.empty()) { return reading; }
+    const NodeNames names = parameter_names(system);
+    const auto found = std::find_if(
+        system.parameters.begin(), system.parameters.end(),
+        [&](const SystemParameter& each) { return each.name == stepper.differentiated_by; });
+    HVI_CHECK(found != system.parameters.end());
+    return fmt::format("[&] {{\n{}\n}}();\n{}.by[0] = 1;", reading, names.at(found->node));
+}
+
 ModuleKind kind_of(const SceneStepper& stepper) {
     if (stepper.step.layout == Layout::trajectories) {
         const bool grows = stepper.has_direction;
@@ -104,8 +118,8 @@ ModuleKind kind_of(const SceneStepper& stepper) {
     if (stepper.step.dual_parts != 0) {
         const std::optional<HamiltonianParts>& parts = stepper.system.parts;
         kind.include = "#include <driver/dual.hpp>";
-        if (parts && moves_on_orbits(*parts))
-            kind.include += "\n#include <driver/orbits_in_duals.hpp>";
+        if (parts && calls(*parts, RuntimeFunction::orbits))
+            kind.include += "\n#include <hvi/detail/stages/orbits_in_duals.hpp>";
         kind.driven = "driver/carried_in_duals.hpp";
         kind.stepper = fmt::format("Basic{}<hvi::driver::Dual<{}>>", stepper.class_name,
                                    stepper.step.dual_parts);
@@ -133,6 +147,7 @@ DrivenModule driven_module(const SceneStepper& stepper) {
     const std::string skip = skipped(stepper);
     const auto source = [&](SeldomSolvers seldom) {
         Holes holes = stepper_holes(system, kind.stepper, class_text(stepper, system, seldom));
+        holes["set"] = reading_of(stepper, system, holes["set"]);
         holes.merge(Holes{{"skip", skip},
                           {"numbers", kind.include},
                           {"driven", kind.driven},

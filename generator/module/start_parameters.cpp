@@ -15,6 +15,7 @@
 #include "generator/emit/system/scene_code.hpp"
 #include "generator/graph/written.hpp"
 #include "generator/lower/taken_names.hpp"
+#include "generator/lower/tangent.hpp"
 #include "generator/support/error.hpp"
 
 namespace hvi::gen {
@@ -143,6 +144,25 @@ StartParameters with_start_parameters(System system) {
         system.parameters.push_back({of_value, {}, starts[k]->node});
     }
     return {std::move(system), std::move(*values)};
+}
+
+std::optional<std::vector<double>> start_by_parameter(const System& system,
+                                                      const std::string& parameter) {
+    const std::size_t n = system.degrees_of_freedom();
+    std::map<std::string, Expression> parameters;
+    for (const SystemParameter& each : system.parameters) {
+        parameters.emplace(each.name, each.value);
+    }
+    const System along = with_sensitivity(system, parameter);
+    const std::vector<StartValue> all = start_values(along);  // of (q, dq), (dp, p)
+    if (all.size() != 4 * n) { return {}; }
+    std::vector<double> result;
+    for (std::size_t k = n; k < 3 * n; ++k) {
+        const std::optional<double> value = all[k].number(along.graph, parameters);
+        if (!value) { return {}; }
+        result.push_back(*value);
+    }
+    return result;
 }
 
 }  // namespace hvi::gen

@@ -37,4 +37,9 @@ struct StartValue {
 /// Returns the values of which with_start_parameters() makes parameters, in its order.
 [[nodiscard]] std::vector<StartValue> start_values(const System& system);
 
+/// Returns the derivative of the initial values of (q, p) by a parameter; empty where one of them
+/// is not known here. Preconditions: those of with_sensitivity().
+[[nodiscard]] std::optional<std::vector<double>> start_by_parameter(const System& system,
+                                                                    const std::string& parameter);
+
 }  // namespace hvi::gen

@@ -41,11 +41,15 @@ bool has_pairs(const Step& step) {
            step.positions.size() == step.momenta.size();
 }
 
+/// Whether steps are flows of parts of H.
+bool has_flows(const SceneStepper& stepper) { return stepper.system.parts.has_value(); }
+
 /// Whether the steps themselves carry directions: those that solve nothing, and those whose
 /// unknowns are stages of an H that is written out. NOTE: counted sweeps leave no equations to
 /// differentiate. The same sweeps of the motion together with a direction are their derivative.
 bool carries_along(const SceneStepper& stepper, const StepperWishes& wishes) {
     const Step& step = stepper.step;
+    if (has_flows(stepper)) { return true; }
     if (step.container != Container::arrays || stepper.system.side != Side::hamiltonian ||
         wishes.float128) {
         return false;
@@ -58,6 +62,11 @@ bool carries_along(const SceneStepper& stepper, const StepperWishes& wishes) {
 /// Makes them do so.
 void carry_directions(SceneStepper& stepper) {
     stepper.step.carries = Carries::directions;
+    if (has_flows(stepper)) {
+        stepper.step.decisions.push_back({"directions go along with (q, p) in dual numbers",
+                                          "each flow is differentiated as it is computed"});
+        return;
+    }
     stepper.step.decisions.push_back(
         {"directions go along with the stages of (q, p)",
          "their equations are linear, and share what second derivatives have of these"});
@@ -79,6 +88,7 @@ SceneStepper stepper_in_duals(const SceneStepper& stepper, const Method& method,
             fmt::format("--unroll yes writes the sums out, up to {} degrees of freedom",
                         most_degrees_of_freedom));
     wishes.float128 = true;
+    wishes.lanes = {Lanes::none};
     SceneStepper result = scene_stepper(method, scene, wishes);
     result.step.dual_parts = std::min(count, most_parts);
     return result;
@@ -116,12 +126,21 @@ void add_directions(SceneStepper& stepper, const Method& method, const Scene& sc
 SceneStepper stepper_of_directions(const SceneStepper& stepper, const Method& method,
                                    const Scene& scene, const StepperWishes& wishes,
                                    std::string_view what, std::size_t count) {
-    if (!scene.rotations.texts.empty() || stepper.system.parts)
+    if (!scene.rotations.texts.empty() || has_flows(stepper))
         return stepper_in_duals(stepper, method, scene, wishes, what, count);
     if (!carries_along(stepper, wishes)) return tangent_stepper(method, scene, wishes, what);
     check_motion(scene, what);
     SceneStepper result = stepper;
     carry_directions(result);
+    return result;
+}
+
+SceneStepper stepper_of_parameter(const SceneStepper& stepper, const Method& method,
+                                  const Scene& scene, const StepperWishes& wishes,
+                                  const std::string& parameter, std::string_view what) {
+    refuse_rotations(scene, what);
+    SceneStepper result = stepper_in_duals(stepper, method, scene, wishes, what, 1);
+    result.differentiated_by = parameter;
     return result;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <string_view>
 
 #include "generator/pipeline/stepper.hpp"
@@ -21,5 +22,13 @@ void add_directions(SceneStepper& stepper, const Method& method, const Scene& sc
 [[nodiscard]] SceneStepper stepper_of_directions(const SceneStepper& stepper, const Method& method,
                                                  const Scene& scene, const StepperWishes& wishes,
                                                  std::string_view what, std::size_t count);
+
+/// Returns a stepper of flows of parts of H, whose steps carry the derivative of the motion by a
+/// parameter along in dual numbers. Throws InputError for rotations and functions of the user's
+/// own. Precondition: `stepper` is of these arguments, and the parameter is one of its system.
+[[nodiscard]] SceneStepper stepper_of_parameter(const SceneStepper& stepper, const Method& method,
+                                                const Scene& scene, const StepperWishes& wishes,
+                                                const std::string& parameter,
+                                                std::string_view what);
 
 }  // namespace hvi::gen

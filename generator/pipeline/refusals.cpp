@@ -71,7 +71,8 @@ void check_ensemble(const Step& step, const StepperWishes& wishes) {
     if (!obstacle.empty())
         throw InputError("no ensembles of this method on this H: " + obstacle, place,
                          "they are built for explicit methods, as stormer-verlet and its "
-                         "compositions are where H = T(p) + U(q), and for midpoint and gauss:S");
+                         "compositions are where H = T(p) + U(q), for splittings as strang, and "
+                         "for midpoint and gauss:S");
 }
 
 /// Refuses wishes that are not built where a trajectory is a thread of a GPU.
@@ -220,10 +221,8 @@ void check_splitting(const System& system, const Method& method, const StepperWi
             throw InputError(what + " is not built for flows of parts of H", method.place,
                              "take a method that is no splitting: gauss:2");
     };
-    refuse(system.time.has_value(), "a time in H");
     refuse(system.scaled.has_value(), "scaled time");
     refuse(wishes.action, "--action");
-    refuse(!system.own_headers.empty(), "a function of your own");
 }
 
 void check_step(const Step& step, const Method& method, const StepperWishes& wishes,

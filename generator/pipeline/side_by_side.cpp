@@ -47,7 +47,8 @@ std::optional<SceneStepper> stepper_side_by_side(const SceneStepper& alone, cons
 std::optional<SceneStepper> tangent_stepper_side_by_side(const SceneStepper& alone,
                                                          const Method& method, const Scene& scene,
                                                          StepperWishes wishes) {
-    const bool is_built = go_side_by_side(alone, 1) && alone.system.side == Side::hamiltonian;
+    const bool is_built =
+        go_side_by_side(alone, 1) && alone.system.side == Side::hamiltonian && !alone.system.parts;
     if (!is_built) { return {}; }
     return tangent_stepper(method, scene, wishes_of_eight(std::move(wishes)), "a direction");
 }

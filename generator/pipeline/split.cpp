@@ -31,8 +31,7 @@ std::vector<SplitCandidate> ways_to_split(const LoweredScene& scene, const Metho
     const std::size_t numbers =
         coordinate_nodes(scene.system).size() + conjugate_nodes(scene.system).size();
     if (numbers != variables(*scene.written).size())
-        throw InputError("directions, shadows and balances of the energy are not built for flows "
-                         "of parts of H",
+        throw InputError("shadows and balances of the energy are not built for flows of parts of H",
                          method.place, "take a method that is no splitting: gauss:2");
     const auto* choice = std::get_if<SplitChoice>(&scene.scene.split);
     if (choice != nullptr && is_of_orbits(*choice))

@@ -53,6 +53,8 @@ struct SceneStepper {
     UnrollDecision unrolling = {};
     SceneWishes members = {};    ///< members of its class
     bool has_direction = false;  ///< whether its states are those of with_tangent()
+    /// Parameter that the first part of its dual numbers is the derivative by; empty: none.
+    std::string differentiated_by = {};
 };
 
 /// Returns a stepper of the scene, which quotes the command line `hvi-gen stepper ...` that writes

@@ -107,7 +107,7 @@ FlowStep flow_step(std::size_t parts, const SmallSteps& small_steps, const Numbe
     const std::vector<RoundOfFlows> rounds =
         small_steps.exist() ? with_small_steps(parts, small_steps, substeps)
                             : std::vector<RoundOfFlows>{{flows(0, parts, substeps), 1}};
-    FlowStep form{std::vector<NumberVector>(parts), {}};
+    FlowStep form{std::vector<NumberVector>(parts), {}, {}};
     for (const RoundOfFlows& round : rounds) {
         FlowStep::Round& moves = form.rounds.emplace_back();
         moves.times = round.times;
@@ -118,15 +118,33 @@ FlowStep flow_step(std::size_t parts, const SmallSteps& small_steps, const Numbe
     return form;
 }
 
+FlowStep with_joined_ends(FlowStep form) {
+    const FlowStep::Round &begin = form.rounds.front(), &end = form.rounds.back();
+    const FlowStep::Move &first = begin.moves.front(), &last = end.moves.back();
+    const bool are_made_once = begin.times == 1 && end.times == 1 && form.flows() > 1;
+    if (!are_made_once || first.part != last.part) { return form; }
+    NumberVector& fractions = form.fractions[first.part];
+    form.joined = place_among(fractions, fractions[first.fraction] + fractions[last.fraction]);
+    return form;
+}
+
 void set_flows(Step& step, const SystemProperties& system, const NumberVector& substeps) {
     const SmallSteps& small = system.small_steps;
-    step.form = flow_step(system.parts, small, substeps);
+    FlowStep form = flow_step(system.parts, small, substeps);
+    form.clock = system.clock;
+    if (system.rotations > 0) { form.moving = FlowStep::Moving::bodies; }
+    step.form = std::move(form);
     step.decisions.push_back({"no solver: a step is flows of parts of H in turn",
                               "each flow is exact, so that their product is symplectic"});
     if (small.exist()) {
         step.decisions.push_back(
             {fmt::format("{} parts take {} small steps in a large one", small.parts, small.count),
              "they are fast, as the scene has it"});
+    }
+    if (system.clock) {
+        step.decisions.push_back(
+            {fmt::format("the time goes on with the flow of part {} alone", *system.clock + 1),
+             "it is a coordinate, whose momentum is a term of that part"});
     }
     step.decisions.push_back({"values that depend on h alone are computed when h changes",
                               "steps of the same size follow each other"});

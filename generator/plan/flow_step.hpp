@@ -20,6 +20,10 @@ namespace hvi::gen {
 [[nodiscard]] FlowStep flow_step(std::size_t parts, const SmallSteps& small_steps,
                                  const NumberVector& substeps);
 
+/// Joins the last flow of a step with the first one of the next where both are of one part. Such
+/// steps in a row have one flow less each.
+[[nodiscard]] FlowStep with_joined_ends(FlowStep form);
+
 /// Makes the step one of flows of the parts of the system. Preconditions: those of flow_step(); the
 /// stages, places and blocks are those of a separable H.
 void set_flows(Step& step, const SystemProperties& system, const NumberVector& substeps);

@@ -350,13 +350,17 @@ Step planned_in_charts(Step step, const OneStepMethod& method, const SystemPrope
     set_charts(step);
     if (system.depends_on_time) { set_times(step, position_times(step)); }
     set_solver(step, solver_for(wishes), wishes.sweeps, system);
+    set_lanes(step, lanes_for(wishes), system);
     return step;
 }
 
 /// Plans a step as flows of parts of H. The stages are those of kicks and drifts, each of which is
 /// the flow of a part of a separable H.
+///
+/// NOTE: eight trajectories join no flows of steps in a row: the end of one would depend on how
+/// many steps it takes between those of others.
 Step planned_as_flows(const Tableau& tableau, const OneStepMethod& method,
-                      const SystemProperties& system) {
+                      const SystemProperties& system, const StepWishes& wishes) {
     Step step;
     step.slopes = Slopes::of_parts;
     step.partner = partner(tableau);
@@ -371,6 +375,10 @@ Step planned_as_flows(const Tableau& tableau, const OneStepMethod& method,
     set_blocks(step);
     step.decisions.resize(decided);
     set_flows(step, system, stages.b);
+    set_lanes(step, lanes_for(wishes), system);
+    if (step.layout == Layout::one) {
+        step.form = with_joined_ends(std::get<FlowStep>(std::move(step.form)));
+    }
     return completed(std::move(step), system);
 }
 
@@ -434,8 +442,9 @@ std::optional<Step> planned_in_a_row(const Tableau& tableau, const OneStepMethod
 
 Step planned(const Tableau& tableau, const OneStepMethod& method, const SystemProperties& system,
              const StepWishes& wishes) {
-    if (system.parts > 0) { return planned_as_flows(tableau, method, system); }
-    if (method.composition) {
+    if (system.parts > 0) { return planned_as_flows(tableau, method, system, wishes); }
+    // NOTE: all steps of a composition are in one chart.
+    if (method.composition && system.rotations == 0) {
         std::optional<Step> one_by_one = planned_in_a_row(tableau, method, system, wishes);
         if (one_by_one) { return completed(*std::move(one_by_one), system); }
     }

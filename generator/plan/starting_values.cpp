@@ -149,6 +149,13 @@ std::vector<SlopePolynomial> slope_polynomials(const Step& step, const Iteration
 
 }  // namespace
 
+std::optional<SlopePolynomial> starting_polynomial(const Quadrature& rule) {
+    if (!are_distinct(rule.c)) { return {}; }
+    const NumberVector sizes{Number(1), Number(1)};
+    std::optional<SlopePolynomial> of_two = polynomial_of_two_steps(rule, sizes);
+    return of_two ? of_two : polynomial_of_one_step(rule, sizes);
+}
+
 void set_extrapolation(Step& step, const Quadrature& rule) {
     Iteration* iteration = iteration_of(step);
     if (iteration == nullptr) { return; }

@@ -31,7 +31,7 @@ inline constexpr SceneRules parameter_rules{"the value of a parameter", false, f
                                             made_of_parameters};
 inline constexpr SceneRules invariant_rules{"an invariant", true, false, true,
                                             "add it to [parameters]"};
-inline constexpr SceneRules part_rules{"a part of the Hamiltonian", true, false, false,
+inline constexpr SceneRules part_rules{"a part of the Hamiltonian", true, true, true,
                                        "add it to [parameters]"};
 inline constexpr SceneRules event_rules{"the zero of an event", true, true, false,
                                         "add it to [parameters]"};

@@ -7,6 +7,7 @@
 
 #include "generator/certify/audit.hpp"
 #include "generator/certify/rule_certificate.hpp"
+#include "generator/certify/swept_certificate.hpp"
 #include "generator/render/statements.hpp"
 
 namespace hvi::gen {
@@ -24,6 +25,12 @@ namespace hvi::gen {
 [[nodiscard]] std::string render_text(const RuleCertificate& certificate,
                                       const std::optional<SceneStatements>& scene = {});
 [[nodiscard]] std::string render_json(const RuleCertificate& certificate,
+                                      const std::optional<SceneStatements>& scene = {});
+
+/// Write the certificate of counted sweeps: properties of steps to round-off are false in JSON.
+[[nodiscard]] std::string render_text(const SweptCertificate& certificate,
+                                      const std::optional<SceneStatements>& scene = {});
+[[nodiscard]] std::string render_json(const SweptCertificate& certificate,
                                       const std::optional<SceneStatements>& scene = {});
 
 /// Write the audit of a tableau from another source; it is the member `audit` in JSON.

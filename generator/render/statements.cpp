@@ -8,14 +8,24 @@ namespace hvi::gen {
 
 namespace {
 
-/// Returns null where the motion is not known to conserve the quantity, or where only runs tell.
-Json kept_json(Keeping keeping) {
-    const bool is_said = keeping != Keeping::unknown && keeping != Keeping::measured;
-    return is_said ? Json(keeping == Keeping::kept) : Json(nullptr);
+/// Returns what is said of a quantity that is kept without exception.
+std::string exception_to(const Statement& statement, const SceneStatements& scene) {
+    return statement.keeping == Keeping::kept ? scene.exception : "";
 }
 
-Json statement_json(const Statement& statement, const char* key, const std::string& value) {
-    return {{key, value}, {"kept", kept_json(statement.keeping)}, {"reason", statement.reason}};
+/// Returns null where the motion is not known to conserve the quantity, or where only runs tell.
+Json kept_json(const Statement& statement, const SceneStatements& scene) {
+    const Keeping keeping = statement.keeping;
+    const bool is_said = keeping != Keeping::unknown && keeping != Keeping::measured;
+    const bool is_kept = keeping == Keeping::kept && scene.exception.empty();
+    return is_said ? Json(is_kept) : Json(nullptr);
+}
+
+/// Adds the verdict to what names a quantity.
+Json statement_json(Json json, const Statement& statement, const SceneStatements& scene) {
+    json["kept"] = kept_json(statement, scene);
+    json["reason"] = statement.reason + exception_to(statement, scene);
+    return json;
 }
 
 }  // namespace
@@ -49,7 +59,8 @@ void write_statements(NamedLines& lines, const std::optional<SceneStatements>& s
         lines.line(!is_first  ? ""
                    : i < maps ? "momentum maps"
                               : "invariants",
-                   name + ": " + std::string(keeping_text(statement.keeping)));
+                   name + ": " + std::string(keeping_text(statement.keeping)) +
+                       exception_to(statement, *scene));
         lines.line("", "(" + statement.reason + ")");
     }
     if (scene->statements.empty()) lines.line("keeps", "nothing is known to be conserved");
@@ -74,14 +85,15 @@ void add_statements(Json& json, const std::optional<SceneStatements>& scene) {
     for (std::size_t i = 0; i < scene->statements.size(); ++i) {
         const Statement& statement = scene->statements[i];
         if (i < maps)
-            json["momentum_maps"].push_back(
-                statement_json(statement, "momentum_map", to_text(statement.expression)));
+            json["momentum_maps"].push_back(statement_json(
+                {{"momentum_map", to_text(statement.expression)}}, statement, *scene));
         else if (i < invariants)
-            json["invariants"].push_back(statement_json(statement, "name", statement.name));
+            json["invariants"].push_back(
+                statement_json({{"name", statement.name}}, statement, *scene));
         else if (i < fields)
-            json["fields"].push_back(statement_json(statement, "name", statement.name));
+            json["fields"].push_back(statement_json({{"name", statement.name}}, statement, *scene));
         else
-            json["energy"] = {{"kept", kept_json(statement.keeping)}, {"reason", statement.reason}};
+            json["energy"] = statement_json({}, statement, *scene);
     }
 }
 

@@ -17,6 +17,7 @@ struct SceneStatements {
     std::optional<SceneSymmetries> found;  ///< empty where nothing was sought
     std::string left_out;                  ///< why nothing was sought
     std::vector<Statement> statements;
+    std::string exception = {};  ///< what each step adds to kept quantities: `, but for ...`
 };
 
 /// `conserved`, `not conserved exactly by this method`, ...: what a summary says.

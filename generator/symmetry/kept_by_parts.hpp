@@ -36,6 +36,7 @@ struct KeptByParts {
                                         const std::vector<Quantity>& quantities);
 
 /// Decides for the quantities of a scene, in the order of quantities_of(), and for H behind them.
+/// NOTE: the brackets of an H that depends on the time do not tell whether it is conserved.
 [[nodiscard]] KeptByParts kept_by_parts(const HamiltonianParts& parts, const WrittenOutScene& scene,
                                         const SceneSymmetries& found);
 

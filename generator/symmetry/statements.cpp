@@ -119,7 +119,8 @@ std::vector<Statement> of_flows(const SceneSymmetries& found, const KeptByParts&
     const std::vector<const ConservedQuantity*> all = quantities_of(found);
     for (std::size_t i = 0; i < all.size(); ++i)
         result.push_back(statement_on_flows(*all[i], parts, parts.brackets[i]));
-    result.push_back(statement_on_flows(energy_of_parts(found), parts, parts.brackets.back()));
+    if (!found.depends_on_time)
+        result.push_back(statement_on_flows(energy_of_parts(found), parts, parts.brackets.back()));
     return result;
 }
 

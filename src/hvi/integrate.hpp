@@ -4,18 +4,11 @@
 
 #include <cstdint>
 
+#include <hvi/detail/run.hpp>
+#include <hvi/detail/trajectories/take.hpp>
 #include <hvi/state.hpp>
 
 namespace hvi {
-
-/// Result of a run.
-struct [[nodiscard]] Run {
-    Status status;                ///< of the last step that was tried
-    std::int64_t steps = 0;       ///< taken
-    std::int64_t iterations = 0;  ///< of the solver, over all steps
-
-    [[nodiscard]] bool ok() const { return status.ok(); }
-};
 
 /// Takes steps of size h from x at the time `start`, and calls observe(x, t) before the first step
 /// and after each. A step that fails ends the run, and x is then the state after the last good
@@ -83,11 +76,12 @@ Run integrate(Stepper& stepper, typename Stepper::State& x, typename Stepper::Sc
     return run;
 }
 
-/// Takes steps without an observer.
+/// Takes steps without an observer, by advance() of the stepper where it has one: splittings then
+/// join the flows at the ends of steps, and differ from single steps in round-off.
 template <class Stepper>
-Run integrate(Stepper& stepper, typename Stepper::State& x, typename Stepper::Scalar start,
+Run integrate(Stepper& stepper, typename Stepper::State& x, typename Stepper::Scalar,
               typename Stepper::Scalar h, std::int64_t steps) {
-    return integrate(stepper, x, start, h, steps, [](const auto&, auto) {});
+    return detail::take(stepper, x, h, steps);
 }
 
 }  // namespace hvi

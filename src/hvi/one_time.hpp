@@ -4,11 +4,26 @@
 
 #include <cstddef>
 #include <type_traits>
+#include <utility>
 
 #include <hvi/detail/numbers/scalar.hpp>
 #include <hvi/detail/stages/system.hpp>
 
 namespace hvi {
+
+namespace detail {
+
+/// Whether both gradients are one function, gradient(q, p, dHdq, dHdp).
+template <class System, class Vector, class = void>
+struct HasJointGradients : std::false_type {};
+template <class System, class Vector>
+struct HasJointGradients<System, Vector,
+                         std::void_t<decltype(std::declval<const System&>().gradient(
+                             std::declval<const Vector&>(), std::declval<const Vector&>(),
+                             std::declval<Vector&>(), std::declval<Vector&>()))>> : std::true_type {
+};
+
+}  // namespace detail
 
 /// A stepper in scaled time has the time t as its last coordinate and e as its last momentum, which
 /// begins as -H and moves so that H + e stays 0. Its steps carry directions of such states along,
@@ -75,12 +90,15 @@ public:
     OneTime(const System& system, const State& x)
         : motion_(x), last_(static_cast<std::size_t>(x.q.size()) - 1) {
         constexpr bool separable = detail::HasSeparableGradients<System, Vector>::value;
-        static_assert(separable || detail::HasGradients<System, Vector>::value,
+        constexpr bool joint = detail::HasJointGradients<System, Vector>::value;
+        static_assert(separable || joint || detail::HasGradients<System, Vector>::value,
                       "hvi: the derivatives dHdq and dHdp of the system are needed, which it does "
                       "not have where sums stay loops");
         if constexpr (separable) {
             system.dHdp(x.p, motion_.q);
             system.dHdq(x.q, motion_.p);
+        } else if constexpr (joint) {
+            system.gradient(x.q, x.p, motion_.p, motion_.q);
         } else {
             system.dHdp(x.q, x.p, motion_.q);
             system.dHdq(x.q, x.p, motion_.p);

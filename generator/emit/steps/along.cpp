@@ -10,6 +10,9 @@ bool carries_directions(const Step& step) { return step.carries == Carries::dire
 
 bool of_pairs(const Step& step) { return std::holds_alternative<PairStep>(step.form); }
 
+/// Returns whether a step is flows, which carry directions by the runtime alone.
+bool of_flows(const Step& step) { return std::holds_alternative<FlowStep>(step.form); }
+
 bool takes_parts(const Step& step) { return step.iteration()->takes_parts(); }
 
 /// How directions extrapolate their slopes, as stages in lanes do. NOTE: those of the others have
@@ -98,7 +101,7 @@ std::string tables_text(const Step& step) {
 }  // namespace
 
 std::string type_of_along(const Step& step, const Evaluations* evaluations) {
-    if (!carries_directions(step)) { return {}; }
+    if (!carries_directions(step) || of_flows(step)) { return {}; }
     const DirectionKernels& kernels = *evaluations->directions;
     Writer writer(1);
     writer.blank().line("/// Directions that a step carries along; see hvi/directions.hpp.");
@@ -119,7 +122,7 @@ std::string type_of_along(const Step& step, const Evaluations* evaluations) {
 }
 
 std::string include_of_along(const Step& step) {
-    if (!carries_directions(step)) { return {}; }
+    if (!carries_directions(step) || of_flows(step)) { return {}; }
     return fmt::format("#include <hvi/detail/directions/{}_along.hpp>\n\n",
                        std::holds_alternative<ExplicitStep>(step.form) ? "moves" : "stages");
 }

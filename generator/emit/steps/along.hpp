@@ -11,7 +11,7 @@
 
 namespace hvi::gen {
 
-// All are empty where a step carries none.
+// All are empty where a step carries none, and for flows, whose headers have their own.
 
 /// The public type of what it carries.
 [[nodiscard]] std::string type_of_along(const Step& step, const Evaluations* evaluations);

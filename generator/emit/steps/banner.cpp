@@ -47,6 +47,15 @@ std::string numbers_of_flows(const FlowStep& form) {
                 is_repeated ? "//         " : "//     ", 4);
         }
     }
+    if (form.joined) {
+        const std::size_t part = form.rounds.front().moves.front().part;
+        writer.line("//").comment(fmt::format("These are {} flows. advance() makes the last one "
+                                              "and the first one of the next step at "
+                                              "once, part {} over {}: {} a step.",
+                                              form.flows(), part + 1,
+                                              exact_text(form.fractions[part][*form.joined]),
+                                              form.flows() - 1));
+    }
     return writer.str();
 }
 

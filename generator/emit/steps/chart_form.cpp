@@ -13,7 +13,8 @@ namespace {
 /// Returns the type of the stage equations. NOTE: with a clock the equations hold a reference to
 /// it.
 std::string equations_type(const Step& step) {
-    return fmt::format("hvi::detail::CoupledCharts<System, Stages{}>",
+    return fmt::format("hvi::detail::{}<System, Stages{}>",
+                       step.has_lanes() ? "CoupledChartLanes" : "CoupledCharts",
                        step.depends_on_time()
                            ? fmt::format(", hvi::detail::Clock<Scalar, {}>", step.positions.size())
                            : "");
@@ -34,14 +35,15 @@ constexpr StateTexts in_a_row{"if (!system_.fits(x.q, x.p)) {\n"
 
 std::string step_text(const Step& step) {
     const StateTexts& texts = step.container == Container::vectors ? in_a_row : in_members;
-    return fill_part("chart_step.hpp.in",
-                     {{"clock", clock_begins(step, "s_.forget()")},
-                      {"begin", std::string(texts.begin)},
-                      {"state", std::string(texts.state)},
-                      {"set", std::string(texts.end)},
-                      {"equations", fmt::format("m, {}{}", table_mt(step),
-                                                step.depends_on_time() ? ", clock_" : "")},
-                      {"end", clock_ends(step, "status")}});
+    return fill_part(
+        "chart_step.hpp.in",
+        {{"clock", clock_begins(step, "s_.forget()")},
+         {"begin", std::string(texts.begin)},
+         {"state", std::string(texts.state)},
+         {"set", std::string(texts.end)},
+         {"equations", fmt::format("m, {}{}{}", table_mt(step), step.has_lanes() ? ", lanes" : "",
+                                   step.depends_on_time() ? ", clock_" : "")},
+         {"end", clock_ends(step, "status")}});
 }
 
 std::string constants_text(const Step& step, const ChartStep& form, const SceneWishes& wishes) {
@@ -51,6 +53,11 @@ std::string constants_text(const Step& step, const ChartStep& form, const SceneW
         writer.blank().insert(times);
     }
     writer.insert(extrapolation_text(form.iteration));
+    if (step.has_lanes()) {
+        writer.blank().line("static constexpr hvi::detail::ChartTable<Scalar, {}> lanes{{m, {}}};",
+                            step.positions.size(), table_mt(step));
+        columns_of_extrapolation(writer, form.iteration);
+    }
     if (wishes.curve) { writer.insert(curve_table(step, *wishes.curve, library(wishes))); }
     return with_rounding(writer.str());
 }
@@ -58,11 +65,15 @@ std::string constants_text(const Step& step, const ChartStep& form, const SceneW
 std::string prediction(const Step& step, const Iteration& iteration) {
     Writer writer(1);
     open_predict(writer, iteration, "slopes");
+    const std::string_view m = step.has_lanes() ? "lanes" : "m";
     if (!iteration.extrapolation.empty()) {
         const bool takes_two = iteration.extrapolation.front().before.has_value();
-        writer.line("if (s_.extrapolate(m, N{})) {{ return; }}", takes_two ? ", N_before" : "");
+        const std::string_view of = step.has_lanes() ? "_lanes" : "";
+        writer.line("if (s_.extrapolate({0}, N{1}{2})) {{ return; }}", m, of,
+                    takes_two ? fmt::format(", N_before{}", of) : "");
     }
-    writer.open("s_.predict(m, [this](const auto& q, const auto& p, auto& dHdq, auto& dHdp) {{");
+    writer.open("s_.predict({}, [this](const auto& q, const auto& p, auto& dHdq, auto& dHdp) {{",
+                m);
     writer.line("system_.gradient(q, p, {}dHdq, dHdp);",
                 step.depends_on_time() ? "clock_.start, " : "");
     return writer.close("});").close().str();
@@ -78,7 +89,8 @@ std::string members_text(const Step& step) {
 
 std::string coupled_text(const Step& step) {
     Writer writer(1);
-    writer.line("using Stages = hvi::detail::ChartStages<Space, {}>;", step.positions.size());
+    writer.line("using Stages = hvi::detail::{}<Space, {}>;",
+                step.has_lanes() ? "ChartLanes" : "ChartStages", step.positions.size());
     writer.line("using Coupled = {};", equations_type(step));
     return writer.str();
 }
@@ -120,7 +132,8 @@ std::string curve_member(const Step& step, const Curve& curve) {
 std::string emit_one(const OneStepMethod& method, const Step& step, const ChartStep& form,
                      const EmitOptions& options) {
     const SystemPart system = system_part(method, step, options);
-    std::vector<std::string> runtime{"detail/groups/coupled_charts"};
+    std::vector<std::string> runtime{step.has_lanes() ? "detail/groups/coupled_chart_lanes"
+                                                      : "detail/groups/coupled_charts"};
     for (const std::string& header : clock_runtime(step)) { runtime.push_back(header); }
     if (step.container == Container::vectors) { runtime.emplace_back("detail/groups/body_space"); }
     if (options.wishes.curve) { runtime.emplace_back("detail/stages/curve"); }

@@ -14,7 +14,10 @@ std::string timed(const Step& step, std::string_view text) {
 
 std::string_view clock(std::string_view s) { return s == "s_" ? "clock_" : "clock"; }
 
+bool is_of_flows(const Step& step) { return std::holds_alternative<FlowStep>(step.form); }
+
 std::string type(const Step& step) {
+    if (is_of_flows(step)) { return "hvi::detail::FlowClock<Scalar>"; }
     return fmt::format("hvi::detail::Clock<Scalar, {}>", step.positions.size());
 }
 
@@ -47,9 +50,10 @@ std::string clock_reference(const Step& step) {
 }
 
 std::string clock_begins(const Step& step, std::string_view forget) {
-    const std::string c = has_adjoint(step) ? "is_adjoint_ ? c_of_adjoint : c"
-                                            : fmt::format("{}c", owner(step, "s_"));
-    return timed(step, fmt::format("if (!clock_.begin(x.t, h, {})) {{ {}; }}\n"
+    const std::string c = is_of_flows(step)   ? ""
+                          : has_adjoint(step) ? ", is_adjoint_ ? c_of_adjoint : c"
+                                              : fmt::format(", {}c", owner(step, "s_"));
+    return timed(step, fmt::format("if (!clock_.begin(x.t, h{})) {{ {}; }}\n"
                                    "if (!clock_.ends()) {{ return "
                                    "Status(Status::Code::not_finite); }}",
                                    c, forget));

@@ -3,6 +3,7 @@
 
 #include "generator/emit/steps/clock.hpp"
 #include "generator/emit/steps/explicit_moves.hpp"
+#include "generator/emit/steps/flow_form.hpp"
 #include "generator/emit/steps/header.hpp"
 #include "generator/emit/steps/implicit_parts.hpp"
 #include "generator/emit/steps/slope_calls.hpp"
@@ -31,10 +32,10 @@ std::string systems_text() {
 
 // ---- explicit ----
 
-EnsembleParts ensemble_parts(const Step& step, const ExplicitStep& form, std::size_t dimension) {
+EnsembleParts ensemble_parts(const Step& step, const ExplicitStep& form, const System& system) {
     EnsembleParts parts;
     parts.runtime = {"detail/trajectories/trajectories"};
-    parts.step = ensemble_moves_text(step, form.sums, dimension);
+    parts.step = ensemble_moves_text(step, form.sums, system.degrees_of_freedom());
     parts.constants = weights_text(step);
     if (form.sums == Sums::plain) {
         parts.carried = step.kept.any() ? "SlopeCarried" : "NothingCarried";
@@ -54,24 +55,82 @@ EnsembleParts ensemble_parts(const Step& step, const ExplicitStep& form, std::si
     return parts;
 }
 
-EnsembleParts ensemble_parts(const Step&, const ChartStep&, std::size_t) {
+EnsembleParts ensemble_parts(const Step&, const ChartStep&, const System&) {
     HVI_CHECK(false && "there are no ensembles in charts");
     return {};
 }
 
-EnsembleParts ensemble_parts(const Step&, const FlowStep&, std::size_t) {
+EnsembleParts ensemble_parts(const Step&, const GalerkinStep&, const System&) {
     HVI_CHECK(false);
     return {};
 }
 
-EnsembleParts ensemble_parts(const Step&, const GalerkinStep&, std::size_t) {
-    HVI_CHECK(false);
-    return {};
-}
-
-EnsembleParts ensemble_parts(const Step&, const TabulatedStep&, std::size_t) {
+EnsembleParts ensemble_parts(const Step&, const TabulatedStep&, const System&) {
     HVI_CHECK(false);  // it has no such layout
     return {};
+}
+
+// ---- flows of parts of H ----
+
+/// Returns the flows of a step, between its begin and its end.
+std::string flow_step_text(const FlowStep& form, std::string_view path) {
+    return Writer(2)
+        .line("if (!sums_.begin(x, h_)) {{ return x.status(); }}")
+        .line("if (changed_.any()) {{ set_flows(); }}")
+        .line("hvi::detail::{}<State> path(x);", path)
+        .insert(rounds_text(form))
+        .line("path.end(x);")
+        .line("return x.status();")
+        .str();
+}
+
+/// Returns the classes of the flows, and the member that computes those of lanes that changed.
+std::string flow_classes_text(const System& system, const FlowStep& form) {
+    Writer writer(1);
+    writer
+        .insert(flows_text(system, form, "hvi::math", Constants::are_of_template, Carries::nothing))
+        .blank();
+    writer.open("[[gnu::noinline]] void set_flows() {{")
+        .open("changed_.take([&](std::size_t lane) {{");
+    for (std::size_t k = 0; k < form.fractions.size(); ++k) {
+        writer.open("for (std::size_t i = 0; i < {}; ++i) {{", form.fractions[k].size())
+            .line("const Flow{0} one(parameters_[lane], h_[lane] * fractions_{0}[i]);", k + 1)
+            .line("flows_{}_[i].set(lane, one);", k + 1)
+            .close();
+    }
+    return writer.close("});").close().str();
+}
+
+EnsembleParts ensemble_parts(const Step&, const FlowStep& form, const System& system) {
+    const bool moves_by_matrices = moves_forms(*system.parts);
+    EnsembleParts parts;
+    parts.runtime = {"detail/trajectories/trajectory_flows"};
+    parts.coupled = flow_classes_text(system, form);
+    if (rotations_of(system) > 0) {
+        parts.runtime.emplace_back("detail/trajectories/trajectory_bodies");
+    }
+    const bool has_small_turns = parts.coupled.find("hvi::math::small_") != std::string::npos;
+    if (has_small_turns || calls(*system.parts, RuntimeFunction::turn_about_momentum)) {
+        parts.runtime.emplace_back("detail/lanes/lane_turns");
+    }
+    if (moves_by_matrices) { parts.runtime.emplace_back("detail/stages/form_flow"); }
+    if (calls(*system.parts, RuntimeFunction::orbits)) {
+        parts.runtime.emplace_back("detail/trajectories/trajectory_orbits");
+    }
+    parts.carried = "RemaindersCarried";
+    parts.step = flow_step_text(form, moves_by_matrices ? "LongTrajectoryPath" : "TrajectoryPath");
+    parts.resize = "changed_.add(lane);";
+    parts.reset = "sums_.forget();";
+    parts.constants = fractions_text(form);
+    Writer members(1);
+    members.insert(systems_text())
+        .line("std::array<Parameters, hvi::trajectories_at_once> parameters_;")
+        .line("hvi::detail::ChangedLanes changed_;  ///< since the flows were computed");
+    for (std::size_t k = 0; k < form.fractions.size(); ++k) {
+        members.line("LaneFlow{0} flows_{0}_[{1}];", k + 1, form.fractions[k].size());
+    }
+    parts.members = members.line("hvi::detail::TrajectorySums<State> sums_;").str();
+    return parts;
 }
 
 // ---- implicit ----
@@ -222,7 +281,7 @@ EnsembleParts implicit_parts(const Iteration& iteration, const std::string& stag
     return parts;
 }
 
-EnsembleParts ensemble_parts(const Step& step, const VelocityStep& form, std::size_t) {
+EnsembleParts ensemble_parts(const Step& step, const VelocityStep& form, const System&) {
     const std::string stages = stages_type(step, "Velocity");
     EnsembleParts parts = implicit_parts(form.iteration, stages);
     parts.step = velocity_step(step, form.iteration);
@@ -234,7 +293,7 @@ EnsembleParts ensemble_parts(const Step& step, const VelocityStep& form, std::si
     return parts;
 }
 
-EnsembleParts ensemble_parts(const Step& step, const PairStep& form, std::size_t) {
+EnsembleParts ensemble_parts(const Step& step, const PairStep& form, const System&) {
     HVI_CHECK(form.iteration.has_value());
     const std::string stages = stages_type(step, "Pair");
     EnsembleParts parts = implicit_parts(*form.iteration, stages);
@@ -249,21 +308,31 @@ EnsembleParts ensemble_parts(const Step& step, const PairStep& form, std::size_t
     return parts;
 }
 
+/// Returns the type of eight trajectories.
+std::string state_of_ensemble(const Step& step, const SystemPart& part, const System& system,
+                              std::string_view carried) {
+    if (vectors_of(system) == StateVectors::bodies) {
+        return fmt::format("hvi::Trajectories<hvi::detail::BodyVectors<Space, {}>,\n"
+                           "                                    hvi::detail::{}, {}>",
+                           part.class_name, carried, part.state);
+    }
+    return fmt::format("hvi::Trajectories<Vector, hvi::detail::{}{}>", carried,
+                       trajectory_argument(step));
+}
+
 }  // namespace
 
 std::string emit_ensemble(const OneStepMethod& method, const Step& step,
                           const EmitOptions& options) {
     HVI_CHECK(options.system != nullptr);
     const SystemPart system = system_part(method, step, options);
-    const std::size_t dimension = options.system->degrees_of_freedom();
     EnsembleParts parts = std::visit(
-        [&](const auto& form) { return ensemble_parts(step, form, dimension); }, step.form);
+        [&](const auto& form) { return ensemble_parts(step, form, *options.system); }, step.form);
     Holes holes = holes_of(system);
     holes.merge(Holes{{"format", std::to_string(hvi::runtime_format)},
                       {"runtime", runtime_includes(std::move(parts.runtime))},
                       {"trajectory", system.state},
-                      {"state", fmt::format("hvi::Trajectories<Vector, hvi::detail::{}{}>",
-                                            parts.carried, trajectory_argument(step))},
+                      {"state", state_of_ensemble(step, system, *options.system, parts.carried)},
                       {"step", parts.step},
                       {"resize", parts.resize},
                       {"reset_lane", parts.reset_lane},

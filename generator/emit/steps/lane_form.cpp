@@ -54,31 +54,6 @@ std::string steps_of_lanes(const Step& step, const std::vector<std::string>& fir
     return writer.line("return {};", end_of_step(step, "status.iterations")).str();
 }
 
-/// `name`_lanes of a table.
-void columns(Writer& writer, std::string_view name) {
-    writer.line("static constexpr auto {0}_lanes = hvi::detail::lane_columns({0});", name);
-}
-
-/// `name`_lanes of the tables `name`_1, ..., `name`_k.
-void columns_of_each(Writer& writer, std::string_view name, std::size_t k) {
-    writer.open("static constexpr std::array {}_lanes{{", name);
-    for (std::size_t i = 1; i <= k; ++i) {
-        writer.line("hvi::detail::lane_columns({}_{}),", name, i);
-    }
-    writer.close("};");
-}
-
-void columns_of_extrapolation(Writer& writer, const Iteration& iteration) {
-    const std::vector<Extrapolation>& all = iteration.extrapolation;
-    if (all.empty()) { return; }
-    const auto write = [&](std::string_view name) {
-        if (iteration.takes_parts()) { return columns_of_each(writer, name, all.size()); }
-        columns(writer, name);
-    };
-    write("N");
-    if (all.front().before) { write("N_before"); }
-}
-
 /// Arguments of what extrapolates a slope.
 std::string extrapolation_of(const Iteration& iteration, std::string_view slope) {
     const char* const part = iteration.takes_parts() ? "[part]" : "";

@@ -57,6 +57,34 @@ std::string extrapolation_text(const Iteration& iteration) {
     return writer.str();
 }
 
+void columns(Writer& writer, std::string_view name) {
+    writer.line("static constexpr auto {0}_lanes = hvi::detail::lane_columns({0});", name);
+}
+
+namespace {
+
+/// Writes `name`_lanes of the tables `name`_1, ..., `name`_k.
+void columns_of_each(Writer& writer, std::string_view name, std::size_t k) {
+    writer.open("static constexpr std::array {}_lanes{{", name);
+    for (std::size_t i = 1; i <= k; ++i) {
+        writer.line("hvi::detail::lane_columns({}_{}),", name, i);
+    }
+    writer.close("};");
+}
+
+}  // namespace
+
+void columns_of_extrapolation(Writer& writer, const Iteration& iteration) {
+    const std::vector<Extrapolation>& all = iteration.extrapolation;
+    if (all.empty()) { return; }
+    const auto write = [&](std::string_view name) {
+        if (iteration.takes_parts()) { return columns_of_each(writer, name, all.size()); }
+        columns(writer, name);
+    };
+    write("N");
+    if (all.front().before) { write("N_before"); }
+}
+
 std::vector<std::string_view> predicted_slopes(const Step& step) {
     if (std::holds_alternative<VelocityStep>(step.form)) {
         return {step.layout == Layout::stages ? "Lp" : "W"};

@@ -19,6 +19,12 @@ void starting_table(Writer& writer, std::string_view name, const NumberMatrix& e
 /// Returns the tables N, and N_before, of starting values.
 [[nodiscard]] std::string extrapolation_text(const Iteration& iteration);
 
+/// Writes `name`_lanes, the columns of a table.
+void columns(Writer& writer, std::string_view name);
+
+/// Writes the columns of the tables of starting values, for stages in lanes.
+void columns_of_extrapolation(Writer& writer, const Iteration& iteration);
+
 /// Returns the slopes that have starting values: W, or Lq and Lp.
 [[nodiscard]] std::vector<std::string_view> predicted_slopes(const Step& step);
 

@@ -184,23 +184,23 @@ bool shares_parameter(const Step& step, const System& system) {
 /// Returns the constructors where eight trajectories go side by side, each with its own parameters.
 std::string constructors_of_trajectories(const Step& step, std::string_view class_name) {
     const std::string_view constant = constant_if_explicit(step);
+    const bool has_flows = std::holds_alternative<FlowStep>(step.form);
     Writer writer(1);
     writer.line("{0}{1}() : {1}(Parameters{{}}) {{}}", constant, class_name);
     writer
         .open("{}explicit {}(const Parameters& parameters) : one_(parameters) {{", constant,
               class_name)
         .open("for (std::size_t lane = 0; lane < hvi::trajectories_at_once; ++lane) {{")
-        .line("system_.set(lane, one_);")
-        .close()
-        .close()
-        .blank();
+        .line("system_.set(lane, one_);");
+    if (has_flows) { writer.line("parameters_[lane] = parameters;"); }
+    writer.close().close().blank();
     writer.line(
         "/// Gives the trajectory in a lane other parameters. Members that take one trajectory");
     writer.line("/// keep those of the constructor.");
     writer.open("void set_parameters(std::size_t lane, const Parameters& parameters) {{")
-        .line("system_.set(lane, System(parameters));")
-        .line("reset(lane);")
-        .close();
+        .line("system_.set(lane, System(parameters));");
+    if (has_flows) { writer.line("parameters_[lane] = parameters;").line("changed_.add(lane);"); }
+    writer.line("reset(lane);").close();
     return writer.str();
 }
 

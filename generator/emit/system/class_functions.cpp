@@ -329,7 +329,8 @@ private:
 
     /// d2H along directions: of the slopes that a step evaluates.
     void add_directions() {
-        if (step_.carries == Carries::nothing) { return; }
+        const bool are_needed = evaluations_ != nullptr && evaluations_->directions;
+        if (!are_needed) { return; }
         const DirectionKernels& all = *evaluations_->directions;
         const NodeNames dq = named(all.dq, "dq"), dp = named(all.dp, "dp");
         const std::vector<std::string> out = components("out", all.dq.size());

@@ -31,6 +31,14 @@ NodeNames inputs_of(const System& system) {
     return names;
 }
 
+/// Converts the names of these values to a type.
+void convert(NodeNames& names, const std::vector<Node>& values, std::string_view type) {
+    for (const Node node : values) {
+        const auto found = names.find(node);
+        if (found != names.end()) { found->second = fmt::format("{}({})", type, found->second); }
+    }
+}
+
 }  // namespace
 
 std::string whole_number(const AffineForm& form,
@@ -98,10 +106,13 @@ NodeNames ClassNames::given(const Kernel& kernel, const NodeNames& locals) {
 
 NodeNames ClassNames::converted(NodeNames names, std::string_view value) const {
     if (constants_of_ != Constants::are_of_template) { return names; }
-    for (const Node node : members_) {
-        const auto found = names.find(node);
-        if (found != names.end()) { found->second = fmt::format("{}({})", value, found->second); }
-    }
+    convert(names, members_, value);
+    return names;
+}
+
+NodeNames ClassNames::all_converted(NodeNames names, std::string_view value) const {
+    convert(names, members_, value);
+    convert(names, constants_, value);
     return names;
 }
 

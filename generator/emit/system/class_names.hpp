@@ -35,6 +35,9 @@ public:
     /// Returns the names with each member converted to the type `value`, unless it is a number.
     [[nodiscard]] NodeNames converted(NodeNames names, std::string_view value) const;
 
+    /// Returns the names with each member and each constant converted to the type `value`.
+    [[nodiscard]] NodeNames all_converted(NodeNames names, std::string_view value) const;
+
     /// Returns names for a kernel of the constructor, where parameters stand for members.
     [[nodiscard]] NodeNames given_inputs(const Kernel& kernel);
 

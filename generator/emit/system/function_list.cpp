@@ -48,9 +48,9 @@ std::vector<Argument> FunctionList::variables(Takes takes, const FunctionBody& b
     const bool are_lanes = code != nullptr && code->takes_lanes;
     const bool calls = std::holds_alternative<Statements>(body);
     const bool are_named = std::holds_alternative<BodyOfSums>(body);
+    const bool have_places = code != nullptr && rotations_of(system_) > 0;
     const std::string_view vectors = are_lanes ? "Values" : "Vector";
-    const std::string_view places =
-        code != nullptr && rotations_of(system_) > 0 ? "Positions" : vectors;
+    const std::string_view places = !have_places ? vectors : are_lanes ? "Places" : "Positions";
     const std::string_view of = are_named ? "_of" : "";
     std::vector<Argument> result;
     if (takes.q) {
@@ -77,7 +77,10 @@ SystemFunction& FunctionList::add_of_lanes(std::string name, Takes takes, Straig
     SystemFunction& function = add(std::move(name), takes, std::move(code), std::move(others));
     function.is_inlined = inlined;
     if (step_.has_lanes()) {
-        function.parameters = "class Values, class Value = hvi::detail::ScalarOf<Values>";
+        function.parameters =
+            rotations_of(system_) > 0
+                ? "class Places, class Values, class Value = hvi::detail::ScalarOf<Values>"
+                : "class Values, class Value = hvi::detail::ScalarOf<Values>";
     }
     return function;
 }

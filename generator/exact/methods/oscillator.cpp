@@ -185,6 +185,8 @@ OscillatorMap oscillator_map(const GalerkinRule& rule) {
     return oscillator_map(partitioned_method(rule));
 }
 
+OscillatorMap oscillator_map(EvenMap map) { return completed(std::move(map), {}); }
+
 // The inverse of the step with -z, the adjoint, has m11 and m22 exchanged, as the determinant is 1.
 OscillatorMap composed(const OscillatorMap& method, const Composition& composition) {
     const EvenMap own = even_map(method);

@@ -9,6 +9,7 @@
 namespace hvi::gen {
 
 struct Composition;
+struct EvenMap;
 
 /// Map of one step of the method (4.18) for H = (p^2 + omega^2 q^2)/2 with z = h omega. It takes x
 /// = (omega q, p) to 1/D (m11 m12; m21 m22) x. D, m11 and m22 are even in z, m12 and m21 odd.
@@ -32,6 +33,9 @@ struct OscillatorMap {
 
 /// Returns the map of the general Galerkin form.
 [[nodiscard]] OscillatorMap oscillator_map(const GalerkinRule& rule);
+
+/// Returns the map that has these polynomials in t = z^2.
+[[nodiscard]] OscillatorMap oscillator_map(EvenMap map);
 
 /// Returns the map of steps of a method in a row, with gamma_1 z, gamma_2 z, ... for z. It is as
 /// exact as the map of the method. Precondition: that map has determinant 1.

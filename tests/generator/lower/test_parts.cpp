@@ -28,10 +28,12 @@ std::string body(const std::string& hamiltonian) {
            "[initial]\nR = \"identity\"\nL = [1, 2, 3]\n";
 }
 
-std::vector<HamiltonianPart> parts_of(const std::string& text) {
+HamiltonianParts all_of(const std::string& text) {
     const WrittenOutScene scene = unrolled(scene_from_toml(*source(text, "s.toml")));
-    return with_parts(system_of(scene), scene).parts.value().parts;
+    return with_parts(system_of(scene), scene).parts.value();
 }
+
+std::vector<HamiltonianPart> parts_of(const std::string& text) { return all_of(text).parts; }
 
 std::vector<std::string> flows_of(const std::string& text) {
     std::vector<std::string> flows;
@@ -70,6 +72,23 @@ TEST_CASE("parts are found among the terms of H") {
           Names{"a coupled quadratic form", "a shear"});
     CHECK(flows_of(planar("(x^2 + px^2)^2 + a*(y^2 + b*py^2)^3")) ==
           Names{"a function of a quadratic form"});
+}
+
+TEST_CASE("a function of a sum of forms of one degree of freedom each has a flow") {
+    const Names of_form{"a function of a quadratic form"};
+    CHECK(flows_of(planar("(x^2 + px^2 + y^2 + py^2)^2/4")) == of_form);
+    CHECK(flows_of(planar("log(a + px^2 + (y + b*py)^2 - py^2)")) == of_form);
+    CHECK(flows_of(planar("sqrt(1 + x^2 + 2*px^2 + a*y^2)")) == of_form);
+    CHECK(flows_of(planar("sqrt(1 + x^2 + px^2)*(1 + x^2 + px^2)")) == of_form);
+    CHECK(flows_of(planar("exp(-(x^2 + px^2)*a - y^2 - py^2 + 3)")) == of_form);
+    // NOTE: of products of them the slopes are no multiples of those of one form, and of the last
+    // the form couples.
+    for (const char* other :
+         {"(x^2 + px^2)^2*(y^2 + py^2)^2/4", "sqrt(1 + x + x^2 + px^2)",
+          "(x^2 + px^2)*sqrt(1 + y^2 + py^2)", "(x^2 + px^2)/(y^2 + py^2)", "(x*py - y*px)^2"}) {
+        CAPTURE(other);
+        CHECK(std::string(error_of<MathError>(planar(other)).what()).find("no splitting") == 0);
+    }
 }
 
 TEST_CASE("each part moves what it moves") {
@@ -162,6 +181,27 @@ TEST_CASE("turns about the axes of a body are parts of their own") {
     CHECK(flows_of(body("cos(L[2]) + L[2]^4")) == Names{"a turn about an axis of a body"});
 }
 
+TEST_CASE("a free symmetric body is one part, whatever its axis is") {
+    const Names free_body{"a free symmetric body"};
+    const std::vector<HamiltonianPart> parts =
+        parts_of(body("(L[1]^2 + L[2]^2)/2 + L[3]^2/6 + R[3,3]"));
+    REQUIRE(parts.size() == 2);
+    const std::size_t free = parts[0].flow == "a shear" ? 1 : 0;
+    CHECK(parts[free].flow == free_body.front());
+    CHECK(moved(parts[free]) == "q1 q2 q3 q4 q5 q6 q7 q8 q9 p1 p2");
+    CHECK(parts[1 - free].flow == "a shear");
+    CHECK(moved(parts_of(body("L[1]^4 + (L[2]^2 + L[3]^2)^2*L[1]"))[0]).find("p2 p3") !=
+          std::string::npos);
+    CHECK(moved(parts_of(body("L[1]^2/4 + L[2]^2/7 + L[3]^2/4"))[0]).find("p1 p3") !=
+          std::string::npos);
+    // NOTE: with three equal moments L stays.
+    const std::vector<HamiltonianPart> ball = parts_of(body("sqrt(1 + L[1]^2 + L[2]^2 + L[3]^2)"));
+    REQUIRE(ball.size() == 1);
+    CHECK(ball[0].flow == free_body.front());
+    CHECK(moved(ball[0]) == "q1 q2 q3 q4 q5 q6 q7 q8 q9");
+    CHECK(flows_of(body("L[1]^2/2 + L[2]^2/3 + L[3]^2/4")).size() == 3);
+}
+
 TEST_CASE("parts that are named have to be H") {
     const auto with = [](const std::string& parts) {
         return planar("px^2/2 + py^2/2 + a*x^2*y^2", "[split]\n" + parts);
@@ -192,4 +232,40 @@ TEST_CASE("a part without a known flow is refused with its name and what couples
     CHECK(std::string(error_of<MathError>(planar("x*px*y + py^2/2")).what()).find("no splitting") ==
           0);
     CHECK(std::string(error_of<MathError>(body("L[1]*L[2]")).what()).find("no splitting") == 0);
+}
+
+TEST_CASE("the time goes on with the first part that does not depend on it") {
+    const std::string wave = planar("(px^2 + py^2)/2 + (x^2 + y^2)/2 - x*cos(a*t)");
+    CHECK(flows_of(wave) == std::vector<std::string>{"a quadratic form", "a shear"});
+    CHECK(all_of(wave).clock == 0);
+    const std::string named = planar("(px^2 + py^2)/2 - x*cos(a*t)",
+                                     "[split]\nA = \"-x*cos(a*t)\"\nB = \"(px^2 + py^2)/2\"\n");
+    CHECK(all_of(named).clock == 1);
+    CHECK_FALSE(all_of(planar("(px^2 + py^2)/2 - x*cos(a)")).clock);
+}
+
+TEST_CASE("terms with the time and terms without it are not one part") {
+    const std::string drifting = planar("(px^2 + py^2)/2 + px*cos(t) + y^2*x^2*sin(t)");
+    CHECK(flows_of(drifting) == std::vector<std::string>(3, "a shear"));
+    const HamiltonianParts parts = all_of(drifting);
+    CHECK(moved(parts.parts.at(parts.clock.value())) == "q1 q2");
+}
+
+TEST_CASE("where all parts depend on the time it is a part of its own") {
+    const HamiltonianParts parts = all_of(planar("exp(-t)*(px^2 + py^2)/2 + exp(t)*(x^2 + y^2)/2"));
+    REQUIRE(parts.parts.size() == 3);
+    CHECK(parts.clock == 2);
+    CHECK(parts.parts[2].flow == "the time alone");
+    CHECK(parts.parts[2].moved.empty());
+}
+
+TEST_CASE("forms that change with the time have no known flow") {
+    const MathError named =
+        error_of<MathError>(planar("(px^2 + py^2 + cos(t)*x^2)/2",
+                                   "[split]\nA = \"(px^2 + cos(t)*x^2)/2\"\nB = \"py^2/2\"\n"));
+    CHECK(std::string(named.what()) ==
+          "the flow of `A` is not known: no flow is known where x, px move by what depends on the "
+          "time");
+    const MathError found = error_of<MathError>(planar("(px^2 + py^2)/2 + t*x*px"));
+    CHECK(std::string(found.what()).find("the flow of") != std::string::npos);
 }

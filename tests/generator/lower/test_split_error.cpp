@@ -7,10 +7,10 @@
 
 #include <catch2/catch.hpp>
 
-#include "generator/lower/values_in_doubles.hpp"
 #include "generator/lower/parts.hpp"
 #include "generator/lower/split_choice.hpp"
 #include "generator/lower/system.hpp"
+#include "generator/lower/values_in_doubles.hpp"
 #include "tests/generator/read/refusal.hpp"
 
 using namespace hvi::gen;
@@ -84,6 +84,21 @@ TEST_CASE("states near an equilibrium are not too far apart to be followed") {
     }
 }
 
+TEST_CASE("in steps in a row the parts at the ends are moved once, and the others twice") {
+    const auto cost = [](const std::string& hamiltonian, const std::string& parts) {
+        const WrittenOutScene scene = scene_of_text(line_scene(hamiltonian, parts));
+        return cost_of_strang(with_parts(system_of(scene), scene));
+    };
+    const double drift = cost("p^2/2", "A = \"p^2/2\"\n"), kick = cost("q^4", "A = \"q^4\"\n"),
+                 wave = cost("cos(q)", "A = \"cos(q)\"\n");
+    CHECK(cost("p^2/2 + q^4", "A = \"p^2/2\"\nB = \"q^4\"\n") == Approx(drift + kick));
+    CHECK(cost("p^2/2 + q^4", "A = \"q^4\"\nB = \"p^2/2\"\n") == Approx(drift + kick));
+    CHECK(cost("p^2/2 + q^4 + cos(q)", "A = \"p^2/2\"\nB = \"q^4\"\nC = \"cos(q)\"\n") ==
+          Approx(drift + 2 * kick + wave));
+    CHECK(cost("p^2/2 + q^4 + cos(q)", "A = \"q^4\"\nB = \"cos(q)\"\nC = \"p^2/2\"\n") ==
+          Approx(drift + kick + 2 * wave));
+}
+
 TEST_CASE("of ways to take H apart that of clearly the least work is taken") {
     const auto candidate = [](double cost, std::optional<double> error) {
         SplitCandidate result;
@@ -144,4 +159,6 @@ TEST_CASE("values of a graph are those of its operations") {
     CHECK(values[3] == 0.0625);
     CHECK(values[4] == 2);
     CHECK_FALSE(std::isfinite(values_at(graph, {graph.half_power(x, 1)}, {{"x", -1}})[0]));
+    // NOTE: of a function of the user's own only C++ knows values.
+    CHECK_FALSE(std::isfinite(values_at(graph, {graph.call("V", {x})}, {{"x", 4}})[0]));
 }

@@ -173,7 +173,7 @@ TEST_CASE("what stands beside what") {
     CHECK(names("--method-file", Command::tableau) ==
           Names{"--method", "--basis", "--nodes", "--weights"});
     CHECK(names("--tableau", Command::check) ==
-          Names{"--method", "--basis", "--nodes", "--weights", "--method-file"});
+          Names{"--method", "--basis", "--nodes", "--weights", "--method-file", "--sweeps"});
     CHECK(names("--separable", Command::stepper) == Names{"SCENE", "--hamiltonian"});
     CHECK(names("--step", Command::run) == Names{"--accuracy"});
     CHECK(names("--explain", Command::stepper) == Names{"--dump"});

@@ -82,3 +82,34 @@ TEST_CASE("each step of a composition has as many small steps, and flows in a ro
     CHECK(one_by_one(form) == Flows{"A 1/2", "B 1", "A 1/2", "C 2", "A 1/2", "B 1", "A 1/4",
                                     "B -1/2", "A -1/4", "C -1", "A -1/4", "B -1/2", "A -1/4"});
 }
+
+TEST_CASE(
+    "the last flow of a step and the first one of the next are one where parts are the same") {
+    const auto joined = [](const FlowStep& form) {
+        REQUIRE(form.joined);
+        return dump(form.fractions[form.rounds.front().moves.front().part][*form.joined]);
+    };
+    const FlowStep strang = with_joined_ends(flow_step(2, {}, halves()));
+    CHECK(joined(strang) == "1");
+    FlowStep rest = strang;
+    rest.rounds = strang.between();
+    CHECK(one_by_one(rest) == Flows{"B 1"});
+
+    const FlowStep small = with_joined_ends(flow_step(3, {2, 4}, halves()));
+    CHECK(joined(small) == "1/4");
+    rest = small;
+    rest.rounds = small.between();
+    CHECK(one_by_one(rest) ==
+          Flows{"B 1/4", "A 1/4", "B 1/4", "A 1/8", "C 1", "A 1/8", "B 1/4", "A 1/4", "B 1/4"});
+
+    const auto ratio = tableaux::ratio;
+    const FlowStep composed =
+        with_joined_ends(flow_step(2, {}, {ratio(1, 6), ratio(1, 3), ratio(1, 3), ratio(1, 6)}));
+    CHECK(joined(composed) == "1/3");
+    CHECK(composed.fractions[0].size() == 3);
+}
+
+TEST_CASE("nothing is joined where a step ends with another part, or is one flow") {
+    CHECK_FALSE(with_joined_ends(flow_step(2, {}, {tableaux::ratio(1, 1)})).joined);
+    CHECK_FALSE(with_joined_ends(flow_step(1, {}, halves())).joined);
+}

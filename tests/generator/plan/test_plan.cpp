@@ -8,6 +8,7 @@
 #include <catch2/catch.hpp>
 
 #include "generator/exact/methods/splitting.hpp"
+#include "generator/plan/lanes.hpp"
 #include "generator/plan/plan.hpp"
 #include "generator/support/error.hpp"
 #include "tests/generator/exact/exact.hpp"
@@ -35,6 +36,12 @@ Iteration iteration(const Step& step) {
 bool is_tabulated_as(const Step& step, TabulatedStep::As as) {
     const auto* form = std::get_if<TabulatedStep>(&step.form);
     return form != nullptr && form->as == as;
+}
+
+Tableau strang() {
+    const std::string name = "strang";
+    Method method = named_method(std::make_shared<const Source>(Source{"--method", name}));
+    return on_new_ground([&](const Ground& ground) { return splitting_tableau(ground, method); });
 }
 
 bool keeps_remainder(const Step& step) {
@@ -376,12 +383,8 @@ TEST_CASE("why the step of a quadratic H is iterated is among the choices") {
 }
 
 TEST_CASE("a splitting of three parts takes their flows in turn, and those in a row as one") {
-    const std::string name = "strang";
-    Method method = named_method(std::make_shared<const Source>(Source{"--method", name}));
-    const Tableau tableau =
-        on_new_ground([&](const Ground& ground) { return splitting_tableau(ground, method); });
     const Step step =
-        plan({tableau}, {.degrees_of_freedom = 2, .container = Container::arrays, .parts = 3});
+        plan({strang()}, {.degrees_of_freedom = 2, .container = Container::arrays, .parts = 3});
     const auto* form = std::get_if<FlowStep>(&step.form);
     REQUIRE(form != nullptr);
     CHECK(step.is_explicit());
@@ -390,8 +393,52 @@ TEST_CASE("a splitting of three parts takes their flows in turn, and those in a 
     for (const FlowStep::Move& move : form->rounds[0].moves) { parts.push_back(move.part); }
     CHECK(parts == Indices{0, 1, 2, 1, 0});
     REQUIRE(form->fractions.size() == 3);
-    CHECK(form->fractions[0].size() == 1);
+    CHECK(form->fractions[0].size() == 2);  // alone, and joined with the next step
     CHECK((form->fractions[0][0] - Number(1) / Number(2)).is_zero());
     CHECK((form->fractions[1][0] - Number(1) / Number(2)).is_zero());
     CHECK(form->fractions[2][0].is_one());
+}
+
+TEST_CASE("flows of eight trajectories join none of steps in a row") {
+    const SystemProperties system{
+        .degrees_of_freedom = 2, .container = Container::arrays, .parts = 2};
+    const Step one = plan({strang()}, system);
+    CHECK(one.layout == Layout::one);
+    CHECK(std::get<FlowStep>(one.form).joined);
+    CHECK(may_go_side_by_side(one));
+    const Step eight = plan({strang()}, system, {.lanes = Lanes::ensemble});
+    CHECK(eight.layout == Layout::trajectories);
+    const FlowStep& form = std::get<FlowStep>(eight.form);
+    CHECK_FALSE(form.joined);
+    CHECK(form.fractions[0].size() == 1);
+    CHECK(form.flows() == 3);
+}
+
+TEST_CASE("flows that turn bodies are of one trajectory, or of eight") {
+    const SystemProperties system{
+        .degrees_of_freedom = 6, .rotations = 1, .container = Container::arrays, .parts = 2};
+    const Step one = plan({strang()}, system);
+    CHECK(obstacle_to_ensemble(one).empty());
+    CHECK(may_go_side_by_side(one));
+    CHECK(obstacle_to_threads(one) == "flows of parts are to come");
+    const Step eight = plan({strang()}, system, {.lanes = Lanes::ensemble});
+    CHECK(eight.layout == Layout::trajectories);
+    const FlowStep& form = std::get<FlowStep>(eight.form);
+    CHECK(form.moving == FlowStep::Moving::bodies);
+    CHECK_FALSE(form.joined);
+}
+
+TEST_CASE("flows beside a time are of one trajectory, and one part moves the time") {
+    const SystemProperties system{.depends_on_time = true,
+                                  .degrees_of_freedom = 1,
+                                  .container = Container::arrays,
+                                  .parts = 2,
+                                  .clock = 1};
+    const Step step = plan({strang()}, system, {.lanes = Lanes::ensemble});
+    CHECK(step.layout == Layout::one);
+    CHECK(std::get<FlowStep>(step.form).clock == 1);
+    CHECK(step.depends_on_time());
+    CHECK(step.c.empty());
+    CHECK(obstacle_to_ensemble(step) == "flows beside a time are built for one trajectory alone");
+    CHECK_FALSE(may_go_side_by_side(step));
 }

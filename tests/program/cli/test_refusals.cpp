@@ -213,6 +213,8 @@ TEST_CASE("a command line that cannot be read: status 2") {
         {2, "--lanes", {"stepper", "--method", "gauss:2", "--lanes", "ensemble"}},
         {2, "ensemble", {"run", "pendulum", "--lanes", "ensemble"}},
         {2, "ensemble", {"stepper", "--method", "lobatto:3", "--lanes", "ensemble", "kepler"}},
+        {2, "ensemble", {"stepper", "--method", "gauss:2", "--lanes", "ensemble", "heavy-top"}},
+        {2, "gpu", {"stepper", "--method", "strang", "--lanes", "gpu", "heavy-top"}},
         {2,
          "ensemble",
          {"stepper", "--method", "gauss:2", "--lanes", "ensemble", "--dense", "kepler"}},

@@ -49,10 +49,11 @@ TEST_CASE("fast parts are listed first, with their small steps") {
 TEST_CASE("a header has small steps as a loop") {
     const Outcome stepper = with_spring({"stepper", "--method", "strang", "spring.toml"});
     REQUIRE(stepper.status == 0);
+    // NOTE: it stands in the loop over steps in a row.
     CHECK(is_in("for (int k = 0; k < 4; ++k) {\n"
-                "            flows_2_[0](path);\n"
-                "            flows_1_[1](path);\n"
-                "        }\n",
+                "                flows_2_[0](path);\n"
+                "                flows_1_[1](path);\n"
+                "            }\n",
                 stepper.out));
     CHECK(is_in("//     4 times:\n", stepper.out));
 }

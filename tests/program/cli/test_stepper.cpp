@@ -131,7 +131,7 @@ TEST_CASE("a stepper of a scene has what was asked for and no more") {
         has(explained.err, "dH/dq once: 1 addition, 5 multiplications, 1 division, 1 square root"));
     CHECK(explained.out == plain);
     // Counted by hand in the straight-line code.
-    CHECK(has(explained.err, "where Newton's method is needed: 3 additions, 16 "));
+    CHECK(has(explained.err, "where Newton's method is needed: 3 additions, 14 "));
     const Outcome taylor = hvi_gen(with(words, {"--solver", "newton-taylor", "--explain"}));
     CHECK(
         has(taylor.err, "d2H/dq2 times a vector, after dH/dq: 3 additions, 11 multiplications\n"));
@@ -295,6 +295,35 @@ TEST_CASE("--lanes ensemble writes a stepper of trajectories side by side") {
         "LinearMap"));
 }
 
+TEST_CASE("ensembles of splittings have flows of their own in each lane") {
+    const auto has = [](const std::string& text, const std::string& part) {
+        return text.find(part) != std::string::npos;
+    };
+    const std::string shears = same_every_time({"stepper", "--method", "strang", "henon-heiles",
+                                                "--split", "auto", "--lanes", "ensemble"});
+    CHECK(has(shears, "using LaneFlow1 = Flow1Of<hvi::detail::TrajectoryRow<Scalar>>;"));
+    CHECK(has(shears, "hvi::detail::TrajectoryPath<State> path(x);"));
+    CHECK(has(shears, "side by side: one flow of a part"));
+    CHECK_FALSE(has(shears, "advance()"));
+    CHECK_FALSE(has(shears, "LongTrajectoryPath"));
+    const std::string matrix =
+        same_every_time({"stepper", "--method", "strang", "--hamiltonian",
+                         "(p1^2 + p2^2)/2 + q1*p2 - q2*p1 + q1^4", "--lanes", "ensemble"});
+    CHECK(has(matrix, "hvi::detail::LongTrajectoryPath<State> path(x);"));
+    CHECK(has(matrix, "hvi::detail::FormFlow<Scalar, 2, Constant> form_1_;"));
+    const std::string orbits = same_every_time(
+        {"stepper", "--method", "strang", "kepler", "--split", "auto", "--lanes", "ensemble"});
+    CHECK(has(orbits, "#include <hvi/detail/trajectories/trajectory_orbits.hpp>"));
+    CHECK(has(orbits, "hvi::detail::orbit_values<1>(std::array<Lane, 5>{"));
+    const std::string top = same_every_time(
+        {"stepper", "--method", "strang", "lagrange-top", "--lanes", "ensemble", "--energy"});
+    CHECK(has(top, "#include <hvi/detail/lanes/lane_turns.hpp>"));
+    CHECK(has(top, "using Trajectory = Bodies;"));
+    CHECK(has(top, "using State = hvi::Trajectories<hvi::detail::BodyVectors<Space, "));
+    CHECK(has(top, "hvi::detail::turn_about_momentum(std::array<Lane, 13>{"));
+    CHECK(has(top, "hvi::detail::small_or_any(are_small, small, others);"));
+}
+
 TEST_CASE("ensembles of H that depends on the time have one each") {
     const auto written = [](const std::string& method, const std::string& hamiltonian) {
         return same_every_time(
@@ -332,6 +361,10 @@ TEST_CASE("what ensembles are not built for is refused, and why") {
               "the stages are not solved for all at once"));
     CHECK(has(refusal({"stepper", "--method", "gauss:2", "kepler", "--solver", "newton"}),
               "they are iterated by fixed points"));
+    CHECK(has(refusal({"stepper", "--method", "gauss:2", "heavy-top"}),
+              "charts of rotations are built for one trajectory alone"));
+    CHECK(has(refusal({"stepper", "--method", "strang", "--hamiltonian", "(p^2+q^2)^2/2-q*cos(t)"}),
+              "flows beside a time are built for one trajectory alone"));
     for (const std::string flag : {"--dense", "--action", "--float128", "--evaluations"}) {
         CHECK(has(refusal({"stepper", "--method", "gauss:2", "kepler", flag}),
                   flag + " is not built for ensembles"));
@@ -358,7 +391,13 @@ TEST_CASE("--tangent writes a stepper that carries directions along") {
         hvi_gen({"stepper", "--method", "gauss:2", "bead-on-hoop", "--tangent"}).out;
     CHECK_FALSE(has(bead, "Along"));
     CHECK(has(bead, "class BasicBeadOnHoopGauss2Directions"));
-    std::istringstream text(gauss + euler + bead);
+    // Flows of parts of H.
+    const std::string flows =
+        hvi_gen({"stepper", "--method", "strang", "henon-heiles", "--split", "auto", "--tangent"})
+            .out;
+    CHECK(has(flows, "using Along = hvi::detail::FlowsAlong<"));
+    CHECK(has(flows, "hvi::PullBack::step_back"));
+    std::istringstream text(gauss + euler + bead + flows);
     for (std::string line; std::getline(text, line);) CHECK(line.size() <= 100);
 }
 
@@ -377,5 +416,9 @@ TEST_CASE("directions that are not built are refused, and why") {
             "--tangent is not built for --lanes gpu");
     refused({"--method", "gauss:2", "heavy-top"},
             "--tangent is not built for scenes with rotations");
+    refused({"--method", "strang", "heavy-top"},
+            "--tangent is not built for scenes with rotations");
+    refused({"--method", "strang", "--split", "auto", "henon-heiles", "--lanes", "ensemble"},
+            "--tangent is not built for ensembles");
     refused({"--method", "gauss:2"}, "--tangent");
 }

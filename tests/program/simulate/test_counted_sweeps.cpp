@@ -71,6 +71,15 @@ TEST_CASE("a summary of counted sweeps says what they are, and what they drift a
     CHECK(line_of(whole, "angular_momentum").find("but for") == std::string::npos);
 }
 
+TEST_CASE("the energy drifts by the power of h up to which check proves steps symplectic") {
+    // Slopes of gauss:2 are extrapolated with errors of h^3. One sweep gains two powers where T is
+    // quadratic: symplectic up to h^5, and a drift of h^6 a step.
+    const auto drift = [](const std::string& step) {
+        return run_scene(galaxy_star, "--sweeps 1 --until 200 --step " + step).said("drift").at(0);
+    };
+    CHECK(drift("1/16") / drift("1/32") == Approx(64).epsilon(0.08));
+}
+
 TEST_CASE("the iterations of a step are its sweeps") {
     // The first two of 40 steps make 16 sweeps more.
     const SceneRun run = run_scene(galaxy_star, "--sweeps 3");

@@ -81,6 +81,97 @@ TEST_CASE("without second derivatives there are fixed points, and explicit steps
     CHECK(newton.err.find("V_11") != std::string::npos);
 }
 
+TEST_CASE("a flow of a part of H calls the functions of the user's header") {
+    use_cache();
+    const Directory directory;
+    write_scene(directory, potential);
+    // NOTE: with half a turn, a kick of q^2/2 and half a turn q is cos(n theta) after n steps,
+    // where cos(theta) = cos h - (h/2) sin h is half the trace of a step's matrix. No flow calls
+    // V_11.
+    const double h = 0.1, theta = std::acos(std::cos(h) - h / 2 * std::sin(h));
+    std::string scene = own_spring;
+    scene.replace(scene.find("p^2/2 + V(q)"), 12, "p^2/2 + q^2/2 + V(q)");
+    const auto check = [&](const std::string& text, const std::vector<std::string>& more) {
+        write(directory / "scene.toml", text);
+        std::vector<std::string> words{"run", "scene.toml", "--method", "strang",
+                                       "-o",  "out",        "--only",   "table"};
+        words.insert(words.end(), more.begin(), more.end());
+        const Outcome result = hvi_gen(words, directory.path());
+        INFO(result.err);
+        REQUIRE(result.status == 0);
+        const auto row = last_row(directory / "out/trajectory.csv");
+        REQUIRE(row.size() == 4);
+        CHECK(std::abs(row[1] - std::cos(10 * theta)) < 1e-14);
+    };
+    check(scene, {"--split", "auto"});
+    std::filesystem::remove_all(directory / "out");
+    check(scene + "split = {A = \"p^2/2 + q^2/2\", B = \"V(q)\"}\n", {});
+}
+
+TEST_CASE("of flows with functions of the user's own no errors and directions are known") {
+    const Directory directory;
+    write_scene(directory, potential + second);
+    const auto of = [&](const std::vector<std::string>& words) {
+        return hvi_gen(words, directory.path());
+    };
+    std::string scene = own_spring;
+    scene.replace(scene.find("p^2/2 + V(q)"), 12, "p^2/2 + q^2/2 + V(q)");
+    write(directory / "scene.toml", scene);
+    const Outcome splits = of({"list", "splits", "scene.toml", "--split", "auto"});
+    REQUIRE(splits.status == 0);
+    const std::string first = "\n  *  in order    3      ";
+    const std::size_t row = splits.out.find(first);
+    REQUIRE(row != std::string::npos);
+    // NOTE: operations stand there alone, without an error and work.
+    const std::size_t end = splits.out.find('\n', row + 1);
+    const std::string numbers = splits.out.substr(row + first.size(), end - row - first.size());
+    CHECK(numbers.find_first_not_of("0123456789") == std::string::npos);
+    const Outcome tangent =
+        of({"run", "scene.toml", "--method", "strang", "--split", "auto", "--tangent"});
+    CHECK(tangent.status == 2);
+    CHECK(tangent.err.find("error: --tangent is not built for functions of your own\n") == 0);
+    const Outcome header =
+        of({"stepper", "scene.toml", "--method", "strang", "--split", "auto", "--tangent"});
+    CHECK(header.status == 2);
+    CHECK(header.err.find("error: --tangent is not built for functions of your own\n") == 0);
+    CHECK(header.err.find("^~~~") != std::string::npos);
+    write(directory / "scene.toml", scene + "parameters = {a = 1}\n");
+    const Outcome sensitivity =
+        of({"run", "scene.toml", "--method", "strang", "--split", "auto", "--sensitivity", "a"});
+    CHECK(sensitivity.status == 2);
+    CHECK(sensitivity.err.find("error: --sensitivity is not built for functions of your own\n") ==
+          0);
+    scene.replace(scene.find("+ V(q)"), 6, "+ V(q*p)");
+    write(directory / "scene.toml", scene + "split = {A = \"p^2/2 + q^2/2\", B = \"V(q*p)\"}\n");
+    const Outcome unknown = of({"run", "scene.toml", "--method", "strang"});
+    INFO(unknown.err);
+    CHECK(unknown.status == 1);
+    CHECK(unknown.err.find(
+              "error: the flow of `B` is not known: no flow is known where q, p move\n") == 0);
+    CHECK(pointed_at(unknown.err) == "V(q*p)");
+}
+
+TEST_CASE("a function of the user's own of a quadratic form turns with the speed of its slope") {
+    use_cache();
+    const Directory directory;
+    write_scene(directory, potential);
+    // NOTE: V is half the square of q^2 + p^2, which is 1: its flow turns with the speed 2, that of
+    // the other part with the speed 1.
+    std::string scene = own_spring;
+    scene.replace(scene.find("p^2/2 + V(q)"), 12, "p^2/2 + q^2/2 + V(q^2 + p^2)");
+    write(directory / "scene.toml",
+          scene + "split = {A = \"p^2/2 + q^2/2\", B = \"V(q^2 + p^2)\"}\n");
+    const Outcome result =
+        hvi_gen({"run", "scene.toml", "--method", "strang", "-o", "out", "--only", "table"},
+                directory.path());
+    INFO(result.err);
+    REQUIRE(result.status == 0);
+    const auto row = last_row(directory / "out/trajectory.csv");
+    REQUIRE(row.size() == 4);
+    CHECK(std::abs(row[1] - std::cos(3.0)) < 1e-14);
+    CHECK(std::abs(row[2] + std::sin(3.0)) < 1e-14);
+}
+
 TEST_CASE("an error in the user's header is that of the compiler") {
     use_cache();
     const Directory directory;

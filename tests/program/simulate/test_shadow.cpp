@@ -163,4 +163,9 @@ TEST_CASE("shadows that are not built are refused") {
     refused("pendulum --basis monomials:1 --nodes gauss:3 --step 1/10",
             "--shadow is not built for methods with more nodes than functions");
     refused("fpu-chain --unroll no --method gauss:4", "--shadow");
+    refused("henon-heiles --method strang --split auto",
+            "error: shadows and balances of the energy are not built for flows of parts of H\n"
+            "  --method: strang\n"
+            "            ^~~~~~\n"
+            "help: take a method that is no splitting: gauss:2\n");
 }

@@ -57,6 +57,58 @@ TEST_CASE("rows side by side are those taken alone, up to rounding") {
         check_beside_alone(pushed, "--vary F=0:1:9 --vary q=0:1:3 --method " + method, {"q", "p"});
 }
 
+TEST_CASE("rows of flows of parts are those taken alone, up to rounding") {
+    const std::string words = "--vary k=1/2:1:5 --vary step=1/10:1/4:2 --vary until=5:20:3";
+    for (const std::string method : {"strang --split auto", "mclachlan:8.4 --split auto",
+                                     "strang --split auto --compose yoshida:4"})
+        check_beside_alone(stars, words + " --columns energy --method " + method,
+                           {"x", "y", "px", "py", "energy_error", "energy"});
+
+    // A planet whose mass is varied, on orbits of its own: they are exact, and a period is 2 pi.
+    const std::string planet = "hamiltonian = \"(px^2 + py^2)/2 - mu/sqrt(x^2 + y^2)\"\n"
+                               "coordinates = [\"x\", \"y\"]\nmomenta = [\"px\", \"py\"]\n"
+                               "parameters = {mu = 1}\n"
+                               "initial = {x = \"1/2\", y = 0, px = 0, py = \"sqrt(3)\"}\n"
+                               "run = {method = \"strang\", step = \"pi/8\", until = \"2*pi\"}\n";
+    check_beside_alone(planet, "--vary mu=1/2:2:11 --vary y=0:1/4:3 --split auto",
+                       {"x", "y", "px", "py", "energy_error"});
+    const TextTable rows = study_of(planet, "--vary mu=1:2:2 --split auto");
+    CHECK(std::abs(rows.number(0, "x") - 0.5) < 1e-14);
+    CHECK(std::abs(rows.number(0, "y")) < 1e-14);
+    CHECK(std::abs(rows.number(1, "y")) > 1e-2);
+}
+
+TEST_CASE("rows that turn bodies are those taken alone, up to rounding") {
+    const std::string body =
+        "rotations = [\"R\"]\nangular_momenta = [\"L\"]\n"
+        "hamiltonian = \"(L[1]^2 + L[2]^2)/(2*A) + L[3]^2/(2*C) + g*R[3,3]\"\n"
+        "parameters = {A = 1, C = \"1/2\", g = 1}\n"
+        "initial = {R = {axis = [1, 2, 3], angle = \"1/2\"}, L = [\"1/2\", 1, 2]}\n"
+        "run = {method = \"strang\", step = \"1/20\", until = 10}\n";
+    const std::vector<std::string> columns{"R[1,1]", "R[3,2]",       "R[3,3]", "L[1]",
+                                           "L[3]",   "energy_error", "energy"};
+    check_beside_alone(body, "--vary g=0:2:5 --vary C=1/4:1:4 --vary until=5:10:2 --columns energy",
+                       columns);
+    check_beside_alone(body, "--vary A=1/2:2:7 --vary step=1/20:4/5:2 --columns energy", columns,
+                       1e-11);
+    // A free body of equal moments turns about its momentum, here by 2 pi or by pi. It begins as
+    // R = 1 + sin(1/2) hat(n) + (1 - cos(1/2)) hat(n)^2 with n = (1, 2, 3)/sqrt(14).
+    const std::string ball = "rotations = [\"R\"]\nangular_momenta = [\"L\"]\n"
+                             "hamiltonian = \"sum(i=1..3, L[i]^2/(2*A))\"\nparameters = {A = 1}\n"
+                             "initial = {R = {axis = [1, 2, 3], angle = \"1/2\"}, L = [0, 1, 0]}\n"
+                             "run = {method = \"strang\", step = \"pi/16\", until = \"2*pi\"}\n";
+    const TextTable rows = study_of(ball, "--vary A=1:2:2");
+    const double c = std::cos(0.5), s = std::sin(0.5);
+    const double R_11 = c + (1 - c) / 14, R_22 = c + (1 - c) * 4 / 14,
+                 R_13 = (1 - c) * 3 / 14 + s * 2 / std::sqrt(14.0);
+    for (const std::size_t row : {0U, 1U}) {
+        const double sign = row == 0 ? 1 : -1;
+        CHECK(std::abs(rows.number(row, "R[1,1]") - sign * R_11) < 1e-14);
+        CHECK(std::abs(rows.number(row, "R[1,3]") - sign * R_13) < 1e-14);
+        CHECK(std::abs(rows.number(row, "R[2,2]") - R_22) < 1e-14);
+    }
+}
+
 TEST_CASE("counted sweeps that begin with the slopes of two steps are taken alone") {
     check_beside_alone(stars, "--vary k=1/2:1:5 --method gauss:4 --sweeps 1", {"x", "px"}, 1e-300);
 }

@@ -46,10 +46,18 @@
 #include <ensemble/one/kahan_li_kepler.hpp>
 #include <ensemble/one/kahan_li_pushed.hpp>
 #include <ensemble/one/midpoint_pendulum.hpp>
+#include <ensemble/one/split_henon_heiles.hpp>
+#include <ensemble/one/split_molecule.hpp>
+#include <ensemble/one/split_ring.hpp>
+#include <ensemble/one/split_trap.hpp>
 #include <ensemble/one/verlet_kepler.hpp>
 #include <ensemble/one/verlet_pendulum.hpp>
 #include <ensemble/one/verlet_swing.hpp>
 #include <ensemble/one/yoshida_6_chain.hpp>
+#include <ensemble/split_henon_heiles.hpp>
+#include <ensemble/split_molecule.hpp>
+#include <ensemble/split_ring.hpp>
+#include <ensemble/split_trap.hpp>
 #include <ensemble/verlet_kepler.hpp>
 #include <ensemble/verlet_pendulum.hpp>
 #include <ensemble/verlet_swing.hpp>
@@ -88,12 +96,17 @@ using Gauss5Pushed = Pair<made::Gauss5Pusheds, made::Gauss5Pushed>;
 using Gauss2QuarticSwing = Pair<made::Gauss2QuarticSwings, made::Gauss2QuarticSwing>;
 using Gauss3Growing = Pair<made::Gauss3Growings, made::Gauss3Growing>;
 using Gauss3GrowingRoot = Pair<made::Gauss3GrowingRoots, made::Gauss3GrowingRoot>;
+using SplitHenonHeiles = Pair<made::SplitHenonHeileses, made::SplitHenonHeiles>;
+using SplitRing = Pair<made::SplitRings, made::SplitRing>;
+using SplitMolecule = Pair<made::SplitMolecules, made::SplitMolecule>;
+using SplitTrap = Pair<made::SplitTraps, made::SplitTrap>;
 
 #define HVI_EXPLICIT_PAIRS                                                                         \
     ensemble_test::VerletPendulum, ensemble_test::EulerPendulum, ensemble_test::VerletKepler,      \
         ensemble_test::BlanesMoanHenonHeiles, ensemble_test::AdjointEulerPendulum,                 \
         ensemble_test::KahanLiKepler, ensemble_test::Yoshida6Chain, ensemble_test::VerletSwing,    \
-        ensemble_test::KahanLiPushed
+        ensemble_test::KahanLiPushed, ensemble_test::SplitHenonHeiles, ensemble_test::SplitRing,   \
+        ensemble_test::SplitMolecule, ensemble_test::SplitTrap
 #define HVI_IMPLICIT_PAIRS                                                                         \
     ensemble_test::MidpointPendulum, ensemble_test::Gauss2Quartic,                                 \
         ensemble_test::Gauss2DoublePendulum, ensemble_test::Gauss3Nonseparable,                    \

@@ -59,7 +59,8 @@ TEMPLATE_TEST_CASE("a step is that of one trajectory, to rounding", "", HVI_EXPL
 }
 
 TEMPLATE_TEST_CASE("an implicit step is, and iterates as often", "", HVI_IMPLICIT_PAIRS) {
-    compare_steps<TestType>(2);
+    // NOTE: rounding decides which of the last iterations no longer changes anything.
+    compare_steps<TestType>(3);
     compare_runs<TestType>(1e4);
 }
 

@@ -40,6 +40,17 @@ auto set(P& parameters, std::size_t i) -> decltype(parameters.c, void()) {
     parameters.c = some(i) / 2;
     parameters.g = some(i + 1);
 }
+template <class P>
+auto set(P& parameters, std::size_t i) -> decltype(parameters.m[0], void()) {
+    parameters.m[2] = some(i);
+    parameters.k = 100 * some(i + 1);
+}
+template <class P>
+auto set(P& parameters, std::size_t i) -> decltype(parameters.field, void()) {
+    parameters.field = 4 * some(i);
+    parameters.k = some(i + 1);
+    parameters.bumps = some(i + 2) / 50;
+}
 
 template <class P>
 auto one_of(P& parameters) -> decltype((parameters.mu)) {
@@ -56,6 +67,14 @@ auto one_of(P& parameters) -> decltype((parameters.w)) {
 template <class P>
 auto one_of(P& parameters) -> decltype((parameters.c)) {
     return parameters.c;
+}
+template <class P>
+auto one_of(P& parameters) -> decltype((parameters.m[0])) {
+    return parameters.m[0];
+}
+template <class P>
+auto one_of(P& parameters) -> decltype((parameters.field)) {
+    return parameters.field;
 }
 
 template <class Stepper>
@@ -75,7 +94,8 @@ std::vector<typename Stepper::Parameters> parameters(std::size_t count) {
 }  // namespace
 
 #define HVI_PAIRS_WITH_PARAMETERS                                                                  \
-    VerletKepler, KahanLiKepler, Gauss4Kepler, Gauss2DoublePendulum, Gauss3Weighed, Gauss3Joined
+    VerletKepler, KahanLiKepler, Gauss4Kepler, Gauss2DoublePendulum, Gauss3Weighed, Gauss3Joined,  \
+        SplitMolecule, SplitTrap
 
 TEMPLATE_TEST_CASE("a trajectory has its parameters", "", HVI_PAIRS_WITH_PARAMETERS) {
     using Many = typename TestType::Many;

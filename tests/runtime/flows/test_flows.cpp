@@ -10,6 +10,7 @@
 
 #include "flows/form.hpp"
 #include "flows/kerr.hpp"
+#include "flows/manakov.hpp"
 #include "flows/oscillator.hpp"
 #include "flows/spin.hpp"
 
@@ -17,6 +18,7 @@ namespace {
 
 using hvi::generated::Form;
 using hvi::generated::Kerr;
+using hvi::generated::Manakov;
 using hvi::generated::Spin;
 
 using Real = long double;
@@ -117,6 +119,31 @@ TEST_CASE("a function of a quadratic form turns with the speed of its derivative
             CAPTURE(g, h);
             CHECK(std::abs(x.q[0] - (c * q_0 + s * p_0)) <= 1e-14);
             CHECK(std::abs(x.p[0] - (c * p_0 - s * q_0)) <= 1e-14);
+        }
+    }
+}
+
+TEST_CASE("a function of a sum of quadratic forms turns all of them with one speed") {
+    const Form::Parameters plane_x = parameters(1, 1, 0);
+    for (const double b : {0.5, -0.5, 2.0 / 9}) {
+        Manakov::Parameters of;
+        of.b = b;
+        Manakov stepper(of);
+        const Form::Parameters plane_y = parameters(of.a, of.b, of.c);
+        for (const double h : {0.1, -0.4, 2.0, 20.0}) {
+            auto at = Manakov::initial(of);
+            const double x = at.q[0], y = at.q[1], px = at.p[0], py = at.p[1];
+            const double Q =
+                (x * x + px * px + of.a * y * y + 2 * of.c * y * py + of.b * py * py) / 2;
+            const double time = (3 * of.g * Q * Q - 1) * h;
+            const auto in_x = exact(plane_x, {x, px}, time), in_y = exact(plane_y, {y, py}, time);
+            REQUIRE(stepper.step(at, h).ok());
+            CAPTURE(b, h);
+            CHECK(std::abs(at.q[0] - in_x[0]) <= 1e-13);
+            CHECK(std::abs(at.p[0] - in_x[1]) <= 1e-13);
+            const double size = std::max({1.0, std::abs(in_y[0]), std::abs(in_y[1])});
+            CHECK(std::abs(at.q[1] - in_y[0]) <= 1e-13 * size);
+            CHECK(std::abs(at.p[1] - in_y[1]) <= 1e-13 * size);
         }
     }
 }

@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <optional>
+#include <type_traits>
 
 #include <groups/driven_2.hpp>
 #include <groups/driven_n.hpp>
@@ -96,9 +96,9 @@ TEST_CASE("spins of any size, and bodies like needles") {
 }
 
 TEST_CASE("fixed points and Newton's method solve the same equations") {
-    const auto compare = [](auto first, auto second, double h) {
-        using First = decltype(first);
-        using Second = decltype(second);
+    const auto compare = [](auto&& first, auto&& second, double h) {
+        using First = std::decay_t<decltype(first)>;
+        using Second = std::decay_t<decltype(second)>;
         auto x = First::initial();
         auto y = Second::initial();
         for (int i = 0; i < 20; ++i) {

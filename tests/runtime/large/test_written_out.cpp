@@ -84,14 +84,15 @@ double distance(std::ptrdiff_t n, double h) {
 
 TEST_CASE("where sums go in the same order, loops have the bits of what is written out") {
     CHECK(distance<generated::Chain, generated::ChainOf2>(2, 0.1) == 0);
-    CHECK(distance<generated::Chain, generated::ChainOf64>(64, 0.1) == 0);
-    CHECK(distance<generated::Chain, generated::ChainOf100>(100, 0.1) == 0);
     CHECK(distance<generated::Ring, generated::RingOf1>(1, 0.1) == 0);
     CHECK(distance<generated::Ring, generated::RingOf2>(2, 0.1) == 0);
 }
 
 TEST_CASE("where sums go in another order they agree to rounding") {
     CHECK(distance<generated::Chain, generated::ChainOf1>(1, 0.1) < 1e-14);
+    // NOTE: written out, a spring pulls two places by one number; a loop has the force on a place.
+    CHECK(distance<generated::Chain, generated::ChainOf64>(64, 0.1) < 1e-14);
+    CHECK(distance<generated::Chain, generated::ChainOf100>(100, 0.1) < 1e-14);
     CHECK(distance<generated::ChainGauss, generated::GaussOf1>(1, 0.1) < 1e-14);
     CHECK(distance<generated::ChainGauss, generated::GaussOf64>(64, 0.1) < 1e-14);
     CHECK(distance<generated::ChainGauss, generated::GaussOf100>(100, 0.1) < 1e-14);

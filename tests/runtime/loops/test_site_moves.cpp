@@ -502,6 +502,32 @@ TEST_CASE("one of a million that is no number is found") {
     }
 }
 
+/// Checks that a place that goes to infinity, wherever it is, leaves all places as they were.
+template <class System>
+void stays(const System& system, std::size_t size, std::size_t stride) {
+    for (const Moves& moves : {verlet, verlet_of_positions, drift_then_kick}) {
+        SiteMoves<System> one_by_one(moves, 2);
+        for (std::size_t k = 0; k < size; k += stride) {
+            State x = start(size);
+            x.q[k] = 1e200;
+            const State first = x;
+            const Run run = one_by_one.advance(system, x, 0.05, 1);
+            CHECK(run.status.code() == hvi::Status::Code::not_finite);
+            CHECK(same(x, first));
+        }
+    }
+}
+
+TEST_CASE("a step that fails leaves every place as it was, on seams and edges too") {
+    // Seams of the chain are at 1 + 10000 and so on; seams of the torus are rows of sites.
+    const Chain<false> chain(40000);
+    stays(chain, 40000, 1999);
+    stays(chain, 40000, 39999);
+    stays(chain, 40000, 10001);
+    stays(Torus(400, 50), 40000, 1667);
+    stays(Block({60, 7, 50}), 21000, 499);
+}
+
 TEST_CASE("what is not a step leaves the state alone") {
     const Chain<true> ring(10);
     SiteMoves<Chain<true>> moves(verlet);

@@ -76,12 +76,12 @@ public:
     /// Returns T^-1 v. NOTE: c_2 is 0 at an angle of 2 pi.
     HVI_INLINE_IN_SPACE [[nodiscard]] Vector T_inverse(const Vector& v) const {
         const Vector u = cross(xi_, v);
-        return v + Scalar(0.5) * u + inverse_ * cross(xi_, u);
+        return v + half() * u + inverse_ * cross(xi_, u);
     }
     /// Returns T^-T v.
     HVI_INLINE_IN_SPACE [[nodiscard]] Vector T_inverse_transposed(const Vector& v) const {
         const Vector u = cross(xi_, v);
-        return v - Scalar(0.5) * u + inverse_ * cross(xi_, u);
+        return v - half() * u + inverse_ * cross(xi_, u);
     }
 
     /// Returns the gradient of L . T(xi) w by xi.
@@ -127,6 +127,8 @@ public:
     }
 
 private:
+    /// Returns 1/2. NOTE: lanes of long doubles take no double without a warning.
+    [[nodiscard]] static Scalar half() { return Scalar(1) / Scalar(2); }
     /// Return dc_k by xi without its factor xi.
     [[nodiscard]] Scalar slope_of_c2() const { return Scalar(2) * c_.c4 - c_.c3; }
     [[nodiscard]] Scalar slope_of_c3() const { return Scalar(3) * c_.c5 - c_.c4; }

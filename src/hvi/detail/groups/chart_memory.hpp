@@ -61,13 +61,17 @@ public:
         return {};
     }
 
-    /// Returns the rotation R_0 exp(hat xi), its remainder included.
-    HVI_INLINE_IN_SPACE [[nodiscard]] Matrix3<Scalar> rotated(std::size_t r,
-                                                              const ChartPoint<Scalar>& xi) const {
-        Matrix3<Scalar> R = Space::rotation(at.q, r);
-        const Matrix3<Scalar> change = product(R, xi.turn());
+    /// Returns the rotation R_0 exp(hat xi), its remainder included; of one xi, or of several side
+    /// by side.
+    template <class Value>
+    HVI_INLINE_IN_SPACE [[nodiscard]] Matrix3<Value> rotated(std::size_t r,
+                                                             const ChartPoint<Value>& xi) const {
+        const Matrix3<Scalar> start = Space::rotation(at.q, r);
         const Matrix3<Scalar> rest = Space::rotation(remainder.q, r);
-        for (std::size_t k = 0; k < 9; ++k) { R[k] = moved(R[k], rest[k] + change[k]); }
+        Matrix3<Value> R{};
+        for (std::size_t k = 0; k < 9; ++k) { R[k] = Value(start[k]); }
+        const Matrix3<Value> change = product(R, xi.turn());
+        for (std::size_t k = 0; k < 9; ++k) { R[k] = moved(R[k], Value(rest[k]) + change[k]); }
         return R;
     }
 

@@ -300,6 +300,10 @@ public:
     }
     [[nodiscard]] const StageSlopes& slopes_of_stage(std::size_t i) const { return slopes_[i]; }
     [[nodiscard]] const Point& point(std::size_t i, std::size_t r) const { return points_[i][r]; }
+    [[nodiscard]] const Scalar& slope_q(std::size_t i, std::size_t k) const { return Lq[i][k]; }
+    [[nodiscard]] const Scalar& slope_p(std::size_t i, std::size_t k) const { return Lp[i][k]; }
+    void set_slope_q(std::size_t i, std::size_t k, const Scalar& value) { Lq[i][k] = value; }
+    void set_slope_p(std::size_t i, std::size_t k, const Scalar& value) { Lp[i][k] = value; }
 
 private:
     /// Makes room for the numbers of coordinates and rotations.

@@ -16,7 +16,7 @@ template <class System, class AllStages, class... Clocks>
 class CoupledCharts {
 public:
     using Stages = AllStages;
-    using Table = typename Stages::Table;
+    using Table = typename Stages::Scalar[Stages::count][Stages::count];
 
     Stages& s;
     const Table& m;
@@ -41,6 +41,14 @@ public:
         });
     }
 
+    /// Sets all slopes to zero.
+    void begin_without_slopes() { s.begin_without_slopes(m, mt); }
+    /// Moves the stages by the slopes, and by pi_1 as it is.
+    void move() {
+        s.momenta(m, mt);
+        s.positions(m);
+    }
+
     void nudge(const typename Stages::Scalar& factor) { s.nudge(factor); }
 
     /// Adds second derivatives at stage i to matrices of zeros.
@@ -58,6 +66,15 @@ public:
     [[nodiscard]] auto size_q(std::size_t k) const { return s.size_q(k); }
     [[nodiscard]] auto size_p(std::size_t k) const { return s.size_p(k); }
 
+protected:
+    /// Calls f with the clock, or without it where there is none.
+    template <class F>
+    [[gnu::always_inline]] void with_clock(F f) const {
+        std::apply(f, clocks_);
+    }
+
+    const System& system_;
+
 private:
     /// Calls f with the time of stage i, or without it where there is no clock.
     template <class F>
@@ -65,7 +82,6 @@ private:
         std::apply([&]([[maybe_unused]] const auto&... clocks) { f(clocks.t[i]...); }, clocks_);
     }
 
-    const System& system_;
     std::tuple<const Clocks&...> clocks_;
 };
 

@@ -21,6 +21,14 @@ struct AngleFunctions {
     Value c6, c7;  ///< for second derivatives
 };
 
+/// Type of the numbers that a value consists of, which is itself unless it holds several.
+template <class Value>
+struct NumberWithin {
+    using type = Value;
+};
+template <class Value>
+using NumberIn = typename NumberWithin<Value>::type;
+
 namespace angles {
 
 /// Value of y above which the functions are computed from sin and cos: each division by y then
@@ -45,10 +53,11 @@ template <class Value>
 /// Returns the sum of every other term of c_k from the j-th on, divided by the j-th.
 template <int k, int j, class Value>
 HVI_INLINE_IN_SPACE [[nodiscard]] constexpr Value every_other(const Value& y2) {
-    if constexpr (j + 2 > terms<bits<Value>>) {
+    using Number = NumberIn<Value>;
+    if constexpr (j + 2 > terms<bits<Number>>) {
         return Value(1);
     } else {
-        const Value two_terms = quotient<Value>(k, j + 1) * quotient<Value>(k, j + 2);
+        const Number two_terms = quotient<Number>(k, j + 1) * quotient<Number>(k, j + 2);
         return Value(1) + y2 * two_terms * every_other<k, j + 2>(y2);
     }
 }
@@ -58,7 +67,7 @@ HVI_INLINE_IN_SPACE [[nodiscard]] constexpr Value every_other(const Value& y2) {
 template <int k, class Value>
 HVI_INLINE_IN_SPACE [[nodiscard]] constexpr Value series(const Value& y) {
     const Value y2 = y * y;
-    return every_other<k, 0>(y2) - y * quotient<Value>(k, 1) * every_other<k, 1>(y2);
+    return every_other<k, 0>(y2) - y * quotient<NumberIn<Value>>(k, 1) * every_other<k, 1>(y2);
 }
 
 /// Returns 1/n as the nearest number, and its remainder, for n = odd * power of 2 where odd + 1 is
@@ -76,28 +85,32 @@ HVI_INLINE_IN_SPACE [[nodiscard]] constexpr Sum<Value> inverse(int odd, int powe
 /// mean of 0. Without the remainder all differences are off by the same third of a unit in the last
 /// place, T has other derivatives than these functions, and the energy of a body drifts.
 template <class Value>
-HVI_INLINE_IN_SPACE [[nodiscard]] constexpr Value difference(const Sum<Value>& constant,
+HVI_INLINE_IN_SPACE [[nodiscard]] constexpr Value difference(const Sum<NumberIn<Value>>& constant,
                                                              const Value& x) {
     return constant.value - (x - constant.remainder);
+}
+
+/// Returns the functions by series: y <= switch_at.
+template <class Value>
+HVI_INLINE_IN_SPACE [[nodiscard]] inline AngleFunctions<Value> by_series(const Value& y) {
+    using Number = NumberIn<Value>;
+    AngleFunctions<Value> c;
+    c.c6 = series<6>(y) / Value(720);
+    c.c7 = series<7>(y) / Value(5040);
+    c.c4 = difference(inverse<Number>(3, 8), y * c.c6);
+    c.c5 = difference(inverse<Number>(15, 8), y * c.c7);
+    c.c2 = Value(Number(1) / Number(2)) - y * c.c4;
+    c.c3 = difference(inverse<Number>(3, 2), y * c.c5);
+    c.c1 = Value(1) - y * c.c3;
+    return c;
 }
 
 }  // namespace angles
 
 template <class Value>
 HVI_INLINE_IN_SPACE [[nodiscard]] inline AngleFunctions<Value> angle_functions(const Value& y) {
+    if (!(y > Value(angles::switch_at))) { return angles::by_series(y); }
     AngleFunctions<Value> c;
-    if (!(y > Value(angles::switch_at))) {
-        using angles::difference;
-        using angles::inverse;
-        c.c6 = angles::series<6>(y) / Value(720);
-        c.c7 = angles::series<7>(y) / Value(5040);
-        c.c4 = difference(inverse<Value>(3, 8), y * c.c6);
-        c.c5 = difference(inverse<Value>(15, 8), y * c.c7);
-        c.c2 = Value(1) / Value(2) - y * c.c4;
-        c.c3 = difference(inverse<Value>(3, 2), y * c.c5);
-        c.c1 = Value(1) - y * c.c3;
-        return c;
-    }
     const Value half = math::sqrt(y) / Value(2);
     const Value sine = math::sin(half) / half;
     c.c1 = sine * math::cos(half);

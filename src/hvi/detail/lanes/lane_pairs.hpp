@@ -3,8 +3,11 @@
 #pragma once
 
 #include <cstddef>
+#include <type_traits>
 
 #include <hvi/detail/lanes/lanes.hpp>
+#include <hvi/detail/numbers/arithmetic.hpp>
+#include <hvi/detail/numbers/scalar.hpp>
 #include <hvi/detail/numbers/two_product.hpp>
 
 namespace hvi {
@@ -20,10 +23,39 @@ template <class Number, std::size_t count, std::size_t most>
     return row;
 }
 
-/// Returns hi + lo == x * y in each lane.
+namespace detail {
+
+/// Whether each product is rounded, as the processor is known to have no instruction that
+/// multiplies and adds.
+#if defined(__x86_64__) && !defined(__FMA__)
+inline constexpr bool products_are_rounded = true;
+#else
+inline constexpr bool products_are_rounded = false;
+#endif
+
+/// Returns what rounding cuts off from a * b, by halves as two_product() of numbers does. `Part`
+/// holds one Number, or several.
+template <class Number, class Part>
+[[nodiscard]] Part cut_off_from_product(const Part& a, const Part& b) {
+    const Part factor(Number(1 / power_of_two<Number>(-(bits<Number> + 1) / 2) + 1));
+    const Part scaled_a = factor * a, scaled_b = factor * b;
+    const Part a_hi = scaled_a - (scaled_a - a), b_hi = scaled_b - (scaled_b - b);
+    const Part a_lo = a - a_hi, b_lo = b - b_hi;
+    return ((a_hi * b_hi - a * b) + a_hi * b_lo + a_lo * b_hi) + a_lo * b_lo;
+}
+
+}  // namespace detail
+
+/// Returns hi + lo == x * y in each lane. NOTE: by halves in registers; number by number where one
+/// instruction does it, of which compilers make those of registers.
 template <class Number, std::size_t count, std::size_t most>
 [[nodiscard]] detail::Pair<Lanes<Number, count, most>>
 two_product(const Lanes<Number, count, most>& x, const Lanes<Number, count, most>& y) {
+    if constexpr (detail::products_are_rounded && !std::is_same_v<Number, long double>) {
+        return {x * y, x.map(y, [](const auto& a, const auto& b) {
+                    return detail::cut_off_from_product<Number>(a, b);
+                })};
+    }
     typename Lanes<Number, count, most>::Row a, b;
     x.store(a);
     y.store(b);

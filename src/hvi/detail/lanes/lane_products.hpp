@@ -91,20 +91,31 @@ products_at(std::size_t k, const std::array<typename Lane::Row, columns>& matrix
     }
 }
 
+/// Calls use(k, y) as products_at() does, in blocks that cover the rows from `first` to `last`,
+/// that one excluded.
+template <class Lane, std::size_t first, std::size_t last, class Slopes, class Start, class Use,
+          std::size_t columns>
+[[gnu::always_inline]] inline void
+products_between(const std::array<typename Lane::Row, columns>& matrix, const Slopes& x,
+                 Start start, Use use) {
+    constexpr std::size_t dimension = last - first;
+    constexpr std::size_t block = rows_at_once<Lane> < dimension ? rows_at_once<Lane> : dimension;
+    if constexpr (dimension > 0) {
+        for (std::size_t k = first; k + block <= last; k += block) {
+            products_at<Lane>(k, matrix, x, start, use, std::make_index_sequence<block>());
+        }
+        constexpr std::size_t rest = dimension % block;
+        if constexpr (rest > 0) {
+            products_at<Lane>(last - rest, matrix, x, start, use, std::make_index_sequence<rest>());
+        }
+    }
+}
+
 /// Calls use(k, y) as products_at() does, in blocks that cover all rows.
 template <class Lane, class Slopes, class Start, class Use, std::size_t columns>
 [[gnu::always_inline]] inline void products(const std::array<typename Lane::Row, columns>& matrix,
                                             const Slopes& x, Start start, Use use) {
-    constexpr std::size_t dimension = std::tuple_size_v<Slopes>;
-    constexpr std::size_t block = rows_at_once<Lane> < dimension ? rows_at_once<Lane> : dimension;
-    for (std::size_t k = 0; k + block <= dimension; k += block) {
-        products_at<Lane>(k, matrix, x, start, use, std::make_index_sequence<block>());
-    }
-    constexpr std::size_t rest = dimension % block;
-    if constexpr (rest > 0) {
-        products_at<Lane>(dimension - rest, matrix, x, start, use,
-                          std::make_index_sequence<rest>());
-    }
+    products_between<Lane, 0, std::tuple_size_v<Slopes>>(matrix, x, start, use);
 }
 
 /// Stores lanes into the rows from k on.
@@ -116,9 +127,9 @@ void store_from(std::size_t k, const std::array<Lane, n>& lanes,
 
 /// Sets the rows from k on to start + way, and adds up over lanes how much they change, for
 /// `changes`.
-template <class Lane, class Vector, std::size_t n, std::size_t dimension>
+template <class Lane, class Start, class Vector, std::size_t n, std::size_t dimension>
 [[gnu::always_inline]] inline void
-move_from(std::size_t k, const Vector& start, const std::array<Lane, n>& ways,
+move_from(std::size_t k, const Start& start, const std::array<Lane, n>& ways,
           std::array<typename Lane::Row, dimension>& rows, Vector& changes) {
     std::array<Lane, n> change;
     for (std::size_t i = 0; i < n; ++i) {

@@ -3,12 +3,11 @@
 #pragma once
 
 #include <algorithm>
-#include <atomic>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include <hvi/detail/loops/sites.hpp>
-#include <hvi/detail/loops/team.hpp>
 #include <hvi/detail/numbers/scalar.hpp>
 
 namespace hvi::detail {
@@ -28,55 +27,53 @@ template <class Scalar>
     return rest == 0;
 }
 
-/// Vectors of `size` numbers each, and a copy of each. Work on them is cut into `pieces` for a
-/// team.
+/// Vectors of a lattice, each of `components` numbers for each of `count` sites, and a copy of
+/// each. Sites are kept and looked at where a sweep has them in its cache.
 template <class Scalar>
 class SiteCopies {
 public:
-    SiteCopies(Team& team, std::vector<Scalar*> vectors, Place size, Place pieces,
+    SiteCopies(std::vector<Scalar*> vectors, Place components, Place count,
                std::vector<Scalar>& memory)
-        : team_(team), vectors_(std::move(vectors)), size_(size), pieces_(pieces), memory_(memory) {
-        memory_.resize(vectors_.size() * static_cast<std::size_t>(size));
+        : vectors_(std::move(vectors)), components_(components), count_(count), memory_(memory) {
+        memory_.resize(vectors_.size() * static_cast<std::size_t>(components * count));
     }
 
-    void keep() {
-        for_each_piece([](const Scalar* vector, Scalar* copy, Place size) {
-            std::copy_n(vector, size, copy);
-        });
+    /// Copies `sites` sites from number `at` on.
+    void keep(Place at, Place sites) {
+        for_each_row(at, sites,
+                     [&](const Scalar* vector, Scalar* copy) { std::copy_n(vector, sites, copy); });
     }
 
-    void restore() {
-        for_each_piece([](Scalar* vector, const Scalar* copy, Place size) {
-            std::copy_n(copy, size, vector);
-        });
-    }
-
-    [[nodiscard]] bool finite() {
-        std::atomic<bool> all{true};
-        for_each_piece([&](const Scalar* vector, const Scalar*, Place size) {
-            if (!are_finite(vector, size)) { all = false; }
+    /// Returns whether all numbers of these sites are finite.
+    [[nodiscard]] bool finite(Place at, Place sites) {
+        bool all = true;
+        for_each_row(at, sites, [&](const Scalar* vector, const Scalar*) {
+            all = all && are_finite(vector, sites);
         });
         return all;
     }
 
-private:
-    /// Calls f(vector, copy, size) for each pair of pieces.
-    template <class F>
-    void for_each_piece(F&& f) {
-        team_.run(static_cast<std::size_t>(pieces_), [&](std::size_t piece) {
-            const Place first = size_ * static_cast<Place>(piece) / pieces_;
-            const Place end = size_ * static_cast<Place>(piece + 1) / pieces_;
-            Scalar* copy = memory_.data() + first;
-            for (Scalar* vector : vectors_) {
-                f(vector + first, copy, end - first);
-                copy += size_;
-            }
+    void restore() {
+        for_each_row(0, count_, [&](Scalar* vector, const Scalar* copy) {
+            std::copy_n(copy, count_, vector);
         });
     }
 
-    Team& team_;
+private:
+    /// Calls f(vector, copy) with the places from which each component of these sites stands.
+    template <class F>
+    void for_each_row(Place at, Place sites, F&& f) {
+        if (sites == 0) { return; }
+        Scalar* copy = memory_.data() + at;
+        for (Scalar* vector : vectors_) {
+            for (Place c = 0; c < components_; ++c, copy += count_) {
+                f(vector + c * count_ + at, copy);
+            }
+        }
+    }
+
     std::vector<Scalar*> vectors_;
-    Place size_, pieces_;
+    Place components_, count_;
     std::vector<Scalar>& memory_;
 };
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -70,8 +71,8 @@ public:
             vectors.push_back(remainders);
             vectors.push_back(of_p);
         }
-        SiteCopies<Scalar> before(team_, std::move(vectors), size,
-                                  std::max<Place>(1, chunks.count()), copies_);
+        SiteCopies<Scalar> before(std::move(vectors), System::components, chunks.sites().count(),
+                                  copies_);
         return advance(Lattice{system, chunks, state}, before, h, steps);
     }
 
@@ -93,9 +94,7 @@ private:
         std::int64_t tried = block;
         while (run.steps < steps) {
             tried = std::min(tried, steps - run.steps);
-            before.keep();
-            take(lattice, h, tried);
-            if (before.finite()) {
+            if (take(lattice, before, h, tried)) {
                 run.steps += tried;
                 continue;
             }
@@ -109,39 +108,59 @@ private:
         return run;
     }
 
-    /// Takes `steps` steps. Moves of one kind that follow one another become one, also across
-    /// steps.
-    void take(const Lattice& lattice, Scalar h, std::int64_t steps) {
+    /// Takes `steps` steps, and returns whether all numbers are finite then. Moves of one kind that
+    /// follow one another become one, also across steps. NOTE: what is kept is copied in the first
+    /// sweep and looked at in the last, so that steps one by one do not pass over the state for
+    /// that.
+    [[nodiscard]] bool take(const Lattice& lattice, SiteCopies<Scalar>& before, Scalar h,
+                            std::int64_t steps) {
         MoveFactors<Scalar> kicks, drifts;
-        const auto sweep = [&] {
-            this->sweep(lattice, kicks, drifts);
+        bool is_first = true;
+        const auto sweep = [&](bool is_last) {
+            const bool finite =
+                this->sweep(lattice, kicks, drifts, before, Part{is_first, is_last});
+            is_first = false;
             kicks = drifts = {};
+            return finite;
         };
         for (std::int64_t step = 0; step < steps; ++step) {
             for (const Move<Scalar>& move : moves_) {
                 if (move.kind == Move<Scalar>::kick) {
-                    if (!drifts.is_empty() || kicks.is_full()) { sweep(); }
+                    if (!drifts.is_empty() || kicks.is_full()) { sweep(false); }
                     kicks.push(-(h * move.weight));
                 } else {
-                    if (drifts.is_full()) { sweep(); }
+                    if (drifts.is_full()) { sweep(false); }
                     drifts.push(h * move.weight);
                 }
             }
         }
-        sweep();
+        return sweep(true);
     }
 
-    /// Sweeps over the lattice: kicks, and then drifts.
-    void sweep(const Lattice& lattice, const MoveFactors<Scalar>& kicks,
-               const MoveFactors<Scalar>& drifts) {
+    /// Part of a sweep in the steps between two looks at the numbers.
+    struct Part {
+        bool is_first, is_last;
+    };
+
+    /// Sweeps over the lattice: kicks, and then drifts. Returns false where a number is looked at
+    /// that is not finite.
+    bool sweep(const Lattice& lattice, const MoveFactors<Scalar>& kicks,
+               const MoveFactors<Scalar>& drifts, SiteCopies<Scalar>& before, Part part) {
         const SiteChunks<System>& chunks = lattice.chunks;
         const SiteSweeps<System, Sums<Scalar>> on(lattice.system, chunks, lattice.x, kicks, drifts);
+        std::atomic<bool> all_finite{true};
+        const auto keep = [&](Place at, Place sites) { before.keep(at, sites); };
+        const auto look = [&](Place at, Place sites) {
+            if (!before.finite(at, sites)) { all_finite = false; }
+        };
+        if (part.is_first) { for_each_outside_of_cores(chunks, keep); }
         if (!kicks.is_empty()) {
             on.kick_edges();
             for_each_seam(chunks, [&](Units seam) { on.kick(seam); });
         }
         team_.run(static_cast<std::size_t>(chunks.count()), [&](std::size_t i) {
             const Units core = chunks.core(static_cast<Place>(i));
+            if (part.is_first) { for_each_row(chunks, core, keep); }
             if (drifts.is_empty()) {
                 on.kick(core);
             } else if (kicks.is_empty()) {
@@ -149,11 +168,26 @@ private:
             } else {
                 on.kick_and_drift(core);
             }
+            if (part.is_last) { for_each_row(chunks, core, look); }
         });
         if (!drifts.is_empty()) {
             on.drift_edges();
             for_each_seam(chunks, [&](Units seam) { on.drift(seam); });
         }
+        if (part.is_last) { for_each_outside_of_cores(chunks, look); }
+        return all_finite;
+    }
+
+    /// Calls f(at, sites) for each row of sites that the units consist of.
+    template <class F>
+    static void for_each_row(const SiteChunks<System>& chunks, Units units, F f) {
+        chunks.for_each_part(units, [&](const auto& row) { f(row.at, row.count); });
+    }
+
+    template <class F>
+    void for_each_outside_of_cores(const SiteChunks<System>& chunks, F f) {
+        chunks.sites().for_each_edge([&](Place e, const auto&) { f(e, 1); });
+        for_each_seam(chunks, [&](Units seam) { for_each_row(chunks, seam, f); });
     }
 
     /// Calls f for each seam. NOTE: the seams of a chain are a few sites, for which no thread is

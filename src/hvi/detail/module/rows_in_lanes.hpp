@@ -61,7 +61,7 @@ template <class Problem, template <class> class Growth = NoGrowth>
 class RowsInLanes {
 public:
     [[nodiscard]] static constexpr RowFunctions functions() {
-        return {rows_version, {dimension, dimension, has_time, Problem::invariant_count}, take};
+        return {rows_version, {coordinates, momenta, has_time, Problem::invariant_count}, take};
     }
 
 private:
@@ -71,9 +71,10 @@ private:
     using Parameters = typename Stepper::Parameters;
     using Scalar = typename Stepper::Scalar;
 
-    static constexpr std::size_t dimension = fixed_size<typename Stepper::Vector>();
+    static constexpr std::size_t coordinates = fixed_size<typename State::Positions>();
+    static constexpr std::size_t momenta = fixed_size<typename State::Momenta>();
     static constexpr bool has_time = HasTime<One>::value;
-    static constexpr std::size_t numbers = 2 * dimension + (has_time ? 1 : 0);
+    static constexpr std::size_t numbers = coordinates + momenta + (has_time ? 1 : 0);
     static constexpr std::size_t conserved = Problem::invariant_count + (has_time ? 0 : 1);
 
     /// The source of lanes; see SideBySide.
@@ -129,8 +130,9 @@ private:
         void write(std::size_t row, const One& x, std::int64_t steps, const Status& status,
                    double error) {
             double* out = rows_.states + row * numbers;
-            for (const Scalar& value : x.q) { *out++ = static_cast<double>(value); }
-            for (const Scalar& value : x.p) { *out++ = static_cast<double>(value); }
+            const auto& at = State::Form::flat(x);
+            for (const Scalar& value : at.q) { *out++ = static_cast<double>(value); }
+            for (const Scalar& value : at.p) { *out++ = static_cast<double>(value); }
             if constexpr (has_time) { *out = static_cast<double>(x.t); }
             rows_.taken[row] = steps;
             rows_.statuses[row] = static_cast<int>(status.code());

@@ -33,13 +33,15 @@ struct SmallTurn {
     return power;
 }
 
+// `Value` is a double, or several.
+
 /// Returns z^n, for a power of two n.
-template <std::size_t n>
-[[nodiscard, gnu::always_inline]] inline double power_of(double z) {
+template <std::size_t n, class Value>
+[[nodiscard, gnu::always_inline]] inline Value power_of(const Value& z) {
     if constexpr (n == 1) {
         return z;
     } else {
-        const double root = power_of<n / 2>(z);
+        const Value root = power_of<n / 2>(z);
         return root * root;
     }
 }
@@ -48,8 +50,8 @@ template <std::size_t n>
 ///
 /// NOTE: two halves do not wait for each other (Estrin). They are inlined, so that two polynomials
 /// share the powers of z.
-template <std::size_t count>
-[[nodiscard, gnu::always_inline]] inline double sum_of_halves(const double* a, double z) {
+template <std::size_t count, class Value>
+[[nodiscard, gnu::always_inline]] inline Value sum_of_halves(const double* a, const Value& z) {
     if constexpr (count == 1) {
         return a[0];
     } else {
@@ -59,9 +61,22 @@ template <std::size_t count>
     }
 }
 
-template <std::size_t count>
-[[nodiscard, gnu::always_inline]] inline double polynomial(const double (&a)[count], double z) {
+template <std::size_t count, class Value>
+[[nodiscard, gnu::always_inline]] inline Value polynomial(const double (&a)[count],
+                                                          const Value& z) {
     return sum_of_halves<count>(a, z);
+}
+
+/// Return tan y and sin 2y. Precondition: |y| <= 1/2.
+template <class Value>
+[[nodiscard, gnu::always_inline]] inline Value tan_by_polynomial(const Value& y) {
+    const Value z = y * y;
+    return y + (y * z) * polynomial(SmallTurn::T, z);
+}
+template <class Value>
+[[nodiscard, gnu::always_inline]] inline Value double_sin_by_polynomial(const Value& y) {
+    const Value z = y * y;
+    return (y + y) + (y * z) * polynomial(SmallTurn::S, z);
 }
 
 }  // namespace hvi::detail
@@ -78,8 +93,7 @@ namespace hvi::math {
 template <class Number>
 [[nodiscard, gnu::always_inline]] inline Number small_tan(Number y) {
     if constexpr (std::is_same_v<Number, double>) {
-        const double z = y * y;
-        return y + (y * z) * detail::polynomial(detail::SmallTurn::T, z);
+        return detail::tan_by_polynomial(y);
     } else {
         return math::tan(y);
     }
@@ -89,8 +103,7 @@ template <class Number>
 template <class Number>
 [[nodiscard, gnu::always_inline]] inline Number small_double_sin(Number y) {
     if constexpr (std::is_same_v<Number, double>) {
-        const double z = y * y;
-        return (y + y) + (y * z) * detail::polynomial(detail::SmallTurn::S, z);
+        return detail::double_sin_by_polynomial(y);
     } else {
         return math::sin(y + y);
     }

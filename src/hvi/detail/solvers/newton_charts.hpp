@@ -135,7 +135,8 @@ class ChartEquations {
 public:
     template <class Coupled>
     [[nodiscard]] bool fit(const Coupled& coupled) {
-        const std::size_t size = for_each_unknown(coupled.s, [](auto&) {});
+        using At = Unknowns<Coupled>;
+        constexpr std::size_t size = At::end(At::dimension);
         if (values_.size() == size) { return false; }
         algebra_.resize(coupled.s.n, size);
         for (std::vector<Scalar>* v : {&values_, &correction_}) { v->resize(size); }
@@ -144,8 +145,8 @@ public:
 
     template <class Coupled>
     void begin(Coupled& coupled) {
-        coupled.s.begin_without_slopes(coupled.m, coupled.mt);
-        gather(coupled.s, values_);
+        coupled.begin_without_slopes();
+        gather(coupled, values_);
     }
 
     template <class Coupled>
@@ -156,7 +157,7 @@ public:
     template <class Coupled>
     [[nodiscard]] bool factorise(Coupled& coupled) {
         coupled.slopes();
-        scatter(coupled.s);
+        scatter(coupled);
         algebra_.set_identity();
         for (std::size_t i = 0; i < Unknowns<Coupled>::stages; ++i) { add_stage(coupled, i); }
         add_end(coupled);
@@ -174,15 +175,14 @@ public:
         const auto turns = s.turns();
         coupled.slopes();
         s.balance(turns);
-        gather(s, correction_);
+        gather(coupled, correction_);
         for (std::size_t i = 0; i < values_.size(); ++i) {
             correction_[i] = values_[i] - correction_[i];
         }
         algebra_.solve(correction_.data());
         for (std::size_t i = 0; i < values_.size(); ++i) { values_[i] -= correction_[i]; }
-        scatter(s);
-        s.momenta(coupled.m, coupled.mt);
-        s.positions(coupled.m);
+        scatter(coupled);
+        coupled.move();
     }
 
 private:
@@ -208,33 +208,29 @@ private:
         }
     };
 
-    /// Calls see() for each unknown in the order of Unknowns. Returns the number of unknowns.
-    template <class Stages, class See>
-    static std::size_t for_each_unknown(Stages& s, See see) {
-        std::size_t count = 0;
-        const auto look = [&](auto& value) {
-            see(value);
-            ++count;
-        };
-        for (std::size_t i = 0; i < Stages::count; ++i) {
-            for (auto& value : s.Lq[i]) { look(value); }
-            for (auto& value : s.Lp[i]) { look(value); }
+    /// Sets the values to the unknowns as the stages have them.
+    template <class Coupled>
+    static void gather(const Coupled& coupled, std::vector<Scalar>& values) {
+        using At = Unknowns<Coupled>;
+        for (std::size_t k = 0; k < At::dimension; ++k) {
+            for (std::size_t i = 0; i < At::stages; ++i) {
+                values[At::q(i, k)] = coupled.s.slope_q(i, k);
+                values[At::p(i, k)] = coupled.s.slope_p(i, k);
+            }
+            if (k >= At::coordinates) { values[At::end(k)] = coupled.s.pi_end[k]; }
         }
-        for (std::size_t k = Stages::coordinates; k < Stages::degrees_of_freedom; ++k) {
-            look(s.pi_end[k]);
+    }
+    /// Gives the stages the unknowns.
+    template <class Coupled>
+    void scatter(Coupled& coupled) const {
+        using At = Unknowns<Coupled>;
+        for (std::size_t k = 0; k < At::dimension; ++k) {
+            for (std::size_t i = 0; i < At::stages; ++i) {
+                coupled.s.set_slope_q(i, k, values_[At::q(i, k)]);
+                coupled.s.set_slope_p(i, k, values_[At::p(i, k)]);
+            }
+            if (k >= At::coordinates) { coupled.s.pi_end[k] = values_[At::end(k)]; }
         }
-        return count;
-    }
-
-    template <class Stages>
-    static void gather(Stages& s, std::vector<Scalar>& values) {
-        auto to = values.begin();
-        for_each_unknown(s, [&](const Scalar& value) { *to++ = value; });
-    }
-    template <class Stages>
-    void scatter(Stages& s) const {
-        auto from = values_.begin();
-        for_each_unknown(s, [&](Scalar& value) { value = *from++; });
     }
 
     /// Adds derivatives of Lq_i - h b_i dH~/d(p, pi) and Lp_i + h b_i dH~/d(q, xi), and the

@@ -41,7 +41,10 @@ public:
     }
 
     /// Returns T_i of a stage with this c_i.
-    [[nodiscard]] Scalar at(Scalar c) const { return start + (remainder_ + c * h_); }
+    [[nodiscard]] Scalar at(Scalar c) const { return after(c * h_); }
+
+    /// Returns the time at this distance from the start.
+    [[nodiscard]] Scalar after(Scalar distance) const { return start + (remainder_ + distance); }
 
     /// Returns whether the step ends at a finite time. NOTE: asked before the step, since its state
     /// has moved when end() is called.
@@ -76,6 +79,43 @@ public:
         for (std::size_t i = 0; i < stages; ++i) { t[i] = this->at(c[i]); }
         return continues;
     }
+};
+
+/// The clock of a step that is made of flows. The time goes on with the flows of one part of H, and
+/// stands still in those of the others.
+template <class Scalar>
+class FlowClock : public StepClock<Scalar> {
+public:
+    [[nodiscard]] bool begin(Scalar now, Scalar h) {
+        gone_ = 0;
+        return StepClock<Scalar>::begin(now, h);
+    }
+
+    void go_on(Scalar by) { gone_ += by; }
+
+    [[nodiscard]] Scalar now() const { return this->after(gone_); }
+
+    /// Ends a step of size h and begins the next one in a row, on which the time may have gone on
+    /// already. Returns false where the time is not finite.
+    [[nodiscard]] bool pass(Scalar& time, Scalar h) {
+        const Scalar gone = gone_ - h;
+        if (!this->end(time, Status{}).ok() || !begin(time, h)) { return false; }
+        gone_ = gone;
+        return this->ends();
+    }
+
+private:
+    Scalar gone_ = 0;
+};
+
+/// A path whose time goes on; see FlowPath.
+template <class Path, class Scalar>
+struct TimedPath : Path {
+    FlowClock<Scalar>& clock;
+
+    explicit TimedPath(FlowClock<Scalar>& of) : clock(of) {}
+
+    void move_t(Scalar by) { clock.go_on(by); }
 };
 
 }  // namespace detail

@@ -7,12 +7,14 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
 #include <hvi/detail/numbers/compensated.hpp>
 #include <hvi/detail/numbers/scalar.hpp>
+#include <hvi/detail/run.hpp>
 #include <hvi/detail/stages/system.hpp>
 
 namespace hvi::detail {
@@ -44,6 +46,15 @@ private:
         numbers_;
 };
 
+/// Returns a state of the size of x whose numbers are 0.
+template <class State>
+[[nodiscard]] State zero_like(const State& x) {
+    State result = x;
+    for (auto& number : result.q) { number = 0; }
+    for (auto& number : result.p) { number = 0; }
+    return result;
+}
+
 /// A state on its way through a step, and the sum of its changes so far.
 template <class State>
 struct FlowPath {
@@ -57,6 +68,12 @@ struct FlowPath {
         }
     };
     Numbers x, change;
+
+    /// Begins a step from a state with what the step before it left of its changes.
+    void begin(const State& at, const State& remainder) {
+        x.take(at);
+        change.take(remainder);
+    }
 
     template <class Scalar>
     constexpr void move_q(std::size_t k, Scalar by) {
@@ -75,6 +92,11 @@ struct FlowPath {
 template <class State>
 struct LongFlowPath : FlowPath<State> {
     typename FlowPath<State>::Numbers cut_off;  ///< from the sum of the changes
+
+    void begin(const State& at, const State& remainder) {
+        FlowPath<State>::begin(at, remainder);
+        cut_off.take(zero_like(at));
+    }
 
     template <class Scalar>
     constexpr void move_q(std::size_t k, Scalar by, Scalar remainder = 0) {
@@ -106,55 +128,61 @@ class FlowSums {
 public:
     /// Begins a step from x: the change is the remainder where x is, bit for bit, the end of the
     /// last step, else 0. Returns false where sums do not round as they should.
-    [[nodiscard]] bool begin(const State& x, FlowPath<State>& path) const {
-        path.x.take(x);
+    template <class Path>
+    [[nodiscard]] bool begin(const State& x, Path& path) const {
         const bool continues = ended_ && same_bits(at_.q, x.q) && same_bits(at_.p, x.p);
         if (continues) {
-            path.change.take(remainder_);
+            path.begin(x, remainder_);
             return true;
         }
-        path.change.take(zero(x));
+        path.begin(x, zero_like(x));
         return sums_are_exact<Number>();
     }
-    [[nodiscard]] bool begin(const State& x, LongFlowPath<State>& path) const {
-        path.cut_off.take(zero(x));
-        return begin(x, static_cast<FlowPath<State>&>(path));
+
+    /// Adds the changes to x where the sums are finite, and goes on from there to the next step in
+    /// a row: the change is then the remainder.
+    template <class Path>
+    [[nodiscard]] static bool pass(State& x, Path& path) {
+        State remainder = x;
+        if (!add(x, path, remainder)) { return false; }
+        path.begin(x, remainder);
+        return true;
     }
 
-    /// Adds the changes to x where the sums are finite.
-    [[nodiscard]] bool end(State& x, const FlowPath<State>& path) {
-        State sum = x, remainder = x;
-        add(x.q, path.change.q, sum.q, remainder.q);
-        add(x.p, path.change.p, sum.p, remainder.p);
-        return ends(x, sum, remainder);
-    }
-    [[nodiscard]] bool end(State& x, const LongFlowPath<State>& path) {
-        State sum = x, remainder = x;
-        add(x.q, path.change.q, sum.q, remainder.q);
-        add(x.p, path.change.p, sum.p, remainder.p);
-        add_what_was_cut_off(sum.q, remainder.q, path.cut_off.q);
-        add_what_was_cut_off(sum.p, remainder.p, path.cut_off.p);
-        return ends(x, sum, remainder);
+    /// Adds the changes to x where the sums are finite, and keeps x and its remainder.
+    template <class Path>
+    [[nodiscard]] bool end(State& x, const Path& path) {
+        State remainder = x;
+        if (!add(x, path, remainder)) { return false; }
+        at_ = x;
+        remainder_ = remainder;
+        ended_ = true;
+        return true;
     }
 
     void forget() { ended_ = false; }
 
 private:
-    /// Returns a state of the size of x.
-    [[nodiscard]] static State zero(const State& x) {
-        State result = x;
-        for (auto& number : result.q) { number = 0; }
-        for (auto& number : result.p) { number = 0; }
-        return result;
+    /// Adds the changes to x where the sums are finite, and sets the remainder.
+    [[nodiscard]] static bool add(State& x, const FlowPath<State>& path, State& remainder) {
+        State sum = x;
+        add(x.q, path.change.q, sum.q, remainder.q);
+        add(x.p, path.change.p, sum.p, remainder.p);
+        return set_if_finite(x, sum);
+    }
+    [[nodiscard]] static bool add(State& x, const LongFlowPath<State>& path, State& remainder) {
+        State sum = x;
+        add(x.q, path.change.q, sum.q, remainder.q);
+        add(x.p, path.change.p, sum.p, remainder.p);
+        add_what_was_cut_off(sum.q, remainder.q, path.cut_off.q);
+        add_what_was_cut_off(sum.p, remainder.p, path.cut_off.p);
+        return set_if_finite(x, sum);
     }
 
-    /// Keeps the end of a step and its remainder where the end is finite.
-    [[nodiscard]] bool ends(State& x, const State& sum, const State& remainder) {
+    /// Sets x to the sum where that is finite.
+    [[nodiscard]] static bool set_if_finite(State& x, const State& sum) {
         if (!are_finite(sum.q) || !are_finite(sum.p)) { return false; }
         x = sum;
-        at_ = sum;
-        remainder_ = remainder;
-        ended_ = true;
         return true;
     }
 
@@ -192,6 +220,28 @@ private:
     State remainder_{};
     bool ended_ = false;
 };
+
+/// Takes steps in a row from x by take(count). Where one of them fails they are taken again one by
+/// one: x is then the state after the last good step.
+template <class State, class Take>
+Run take_in_a_row(State& x, std::int64_t steps, Take&& take) {
+    Run run;
+    if (steps > 1) {
+        const State start = x;
+        run.status = take(steps);
+        if (run.ok()) {
+            run.steps = steps;
+            return run;
+        }
+        x = start;
+    }
+    while (run.steps < steps) {
+        run.status = take(std::int64_t(1));
+        if (!run.ok()) { break; }
+        ++run.steps;
+    }
+    return run;
+}
 
 }  // namespace hvi::detail
 

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstddef>
+#include <type_traits>
 
 #include <hvi/detail/numbers/arithmetic.hpp>
 #include <hvi/detail/numbers/compensated.hpp>
@@ -88,7 +89,9 @@ template <class S, std::size_t N>
 /// NOTE: numbers of the matrix are rounded to twice the digits, so that it is symplectic to these.
 /// Sums keep what rounding cuts off: where they do not, the energy drifts by up to 6e-18 of it a
 /// step, and by 3e-17 with a rounded matrix.
-template <class Scalar, std::size_t n>
+///
+/// `Entry` is a Scalar, or has one for each of several trajectories.
+template <class Scalar, std::size_t n, class Entry = Scalar>
 class FormFlow {
     static constexpr std::size_t size = 2 * n, N = size + 1, entries = n * (size + 3);
 
@@ -108,6 +111,17 @@ public:
         }
     }
 
+    /// Gives a lane the matrix of one trajectory.
+    void set(std::size_t lane, const FormFlow<Scalar, n>& one) {
+        for (std::size_t j = 0; j < N; ++j) {
+            for (std::size_t i = 0; i < size; ++i) {
+                const auto [hi, lo] = one.entry(i, j);
+                large_[j][i].set(lane, hi);
+                small_[j][i].set(lane, lo);
+            }
+        }
+    }
+
     /// Returns an entry of (D d).
     [[nodiscard]] Pair<Scalar> entry(std::size_t i, std::size_t j) const {
         return {large_[j][i], small_[j][i]};
@@ -116,7 +130,12 @@ public:
     /// Moves the degrees of freedom with these numbers.
     template <class Path>
     void operator()(Path& at, const std::array<std::size_t, n>& degrees) const {
-        Column change = large_[size], remainder = small_[size];
+        using Number = std::decay_t<decltype(at.x.q[0])>;
+        std::array<Number, size> change, remainder;
+        for (std::size_t i = 0; i < size; ++i) {
+            change[i] = large_[size][i];
+            remainder[i] = small_[size][i];
+        }
         for (std::size_t k = 0; k < n; ++k) { add(k, at.x.q[degrees[k]], change, remainder); }
         for (std::size_t k = 0; k < n; ++k) { add(n + k, at.x.p[degrees[k]], change, remainder); }
         for (std::size_t k = 0; k < n; ++k) {
@@ -146,17 +165,18 @@ private:
         return X;
     }
 
-    using Column = std::array<Scalar, size>;
-
     /// Adds z times the column j. NOTE: by columns, whose entries do not wait for each other.
-    void add(std::size_t j, Scalar z, Column& change, Column& remainder) const {
+    template <class Number>
+    void add(std::size_t j, const Number& z, std::array<Number, size>& change,
+             std::array<Number, size>& remainder) const {
         for (std::size_t i = 0; i < size; ++i) {
-            const Sum<Scalar> sum = two_sum(change[i], large_[j][i] * z);
+            const Sum<Number> sum = two_sum<Number>(change[i], Number(large_[j][i]) * z);
             change[i] = sum.value;
-            remainder[i] += sum.remainder + small_[j][i] * z;
+            remainder[i] += sum.remainder + Number(small_[j][i]) * z;
         }
     }
 
+    using Column = std::array<Entry, size>;
     std::array<Column, N> large_{}, small_{};  ///< the columns of (D d), and what was cut off
 };
 

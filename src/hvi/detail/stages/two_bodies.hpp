@@ -144,23 +144,35 @@ template <class Number, class Part>
 /// Limit on how often arguments are quartered. Beyond it G_k overflow.
 inline constexpr std::size_t most_quarterings = 16;
 
-/// Returns c_2(x) and c_3(x) through those of quarters of x, where |x| > 1.
+/// Arguments quartered until they are at most 1, and where they were, each time.
+template <class Part>
+struct Quarters {
+    Part y;
+    std::array<typename MaskOf<Part>::type, most_quarterings> is_quartered;
+    std::size_t count = 0;
+
+    explicit Quarters(const Part& x) : y(x) {}
+};
+
 template <class Number, class Part>
-[[nodiscard, gnu::noinline]] Stumpff<Part> stumpff_of_quarters(const Part& x) {
+[[gnu::noinline]] void quarter(Quarters<Part>& x) {
+    const Part one(1), quarter(Number(1) / 4);
+    for (; x.count < most_quarterings && any(one < abs(x.y)); ++x.count) {
+        x.is_quartered[x.count] = one < abs(x.y);
+        x.y = select(x.is_quartered[x.count], quarter * x.y, x.y);
+    }
+}
+
+/// Returns c_2(x) and c_3(x) from those of the quarters, which are `near`.
+template <class Number, class Part>
+[[nodiscard, gnu::noinline]] Stumpff<Part>
+stumpff_of_quarters(const Part& x, const Quarters<Part>& quarters, const Stumpff<Part>& near) {
     using Mask = typename MaskOf<Part>::type;
     const Part one(1), half(Number(1) / 2), quarter(Number(1) / 4);
-    std::array<Mask, most_quarterings> is_quartered;
-    std::size_t count = 0;
-    Part y = x;
-    for (; count < most_quarterings && any(one < abs(y)); ++count) {
-        is_quartered[count] = one < abs(y);
-        y = select(is_quartered[count], quarter * y, y);
-    }
     const Part sixth(stumpff_coefficients<Number, 3>[0]);
-    const Stumpff<Part> near = stumpff_near_0<Number>(y);
-    Part c2 = half + near.c2_less, c3 = sixth + near.c3_less;
-    while (count > 0) {
-        const Mask& mask = is_quartered[--count];
+    Part y = quarters.y, c2 = half + near.c2_less, c3 = sixth + near.c3_less;
+    for (std::size_t k = quarters.count; k > 0; --k) {
+        const Mask& mask = quarters.is_quartered[k - 1];
         const Part c0 = one - y * c2, c1 = one - y * c3;
         c3 = select(mask, quarter * (c2 + c0 * c3), c3);
         c2 = select(mask, half * (c1 * c1), c2);
@@ -171,9 +183,15 @@ template <class Number, class Part>
 }
 
 /// Returns c_2(x) and c_3(x).
+///
+/// NOTE: the series stand in one place, so that compilers fuse their products and sums alike
+/// whether other orbits need quarters or not.
 template <class Number, class Part>
 [[nodiscard, gnu::always_inline]] inline Stumpff<Part> stumpff(const Part& x) {
-    return any(Part(1) < abs(x)) ? stumpff_of_quarters<Number>(x) : stumpff_near_0<Number>(x);
+    Quarters<Part> quarters(x);
+    if (any(Part(1) < abs(x))) { quarter<Number>(quarters); }
+    const Stumpff<Part> near = stumpff_near_0<Number>(quarters.y);
+    return quarters.count > 0 ? stumpff_of_quarters<Number>(x, quarters, near) : near;
 }
 
 // ---- Kepler's equation ----
@@ -397,13 +415,14 @@ template <class Number, class Part>
     return (large + x) - large;
 }
 
-/// Returns the changes of orbits, and sets `is_found` to where they are.
+/// Returns the changes of orbits, and sets `is_found` to where they are. `scale`: a TimeUnit of all
+/// of them, or of each.
 ///
 /// NOTE: what is found stays, whatever the others need. Places have few digits: where their squares
 /// and cubes are rounded, the energy drifts (e = 0.6, P/20: by 3e-19 of it a step).
-template <class Number, class Part, class Mask>
+template <class Number, class Part, class Scale, class Mask>
 [[nodiscard, gnu::always_inline]] inline PartOfChanges<Part>
-usual_changes(const UnitOrbit<Part>& orbit, const TimeUnit<Number>& scale, Mask& is_found) {
+usual_changes(const UnitOrbit<Part>& orbit, const Scale& scale, Mask& is_found) {
     constexpr int most = 6;
     const Part time(scale.time), far(8);  // nearly half a turn
     Part s = inverse_series<Number>(time, Part(Number(1) / 2) * orbit.eta,

@@ -6,7 +6,7 @@
 #include <type_traits>
 #include <utility>
 
-#include <hvi/integrate.hpp>
+#include <hvi/detail/run.hpp>
 
 namespace hvi::detail {
 

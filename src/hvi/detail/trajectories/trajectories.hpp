@@ -46,6 +46,30 @@ using TrajectoryRow = LaneRow<Number, trajectories_at_once>;
 
 template <class Vector>
 using TrajectoryRows = LaneRows<ScalarOf<Vector>, trajectories_at_once, fixed_size<Vector>()>;
+template <class Vector>
+using TrajectoryValues = LaneVector<ScalarOf<Vector>, trajectories_at_once, fixed_size<Vector>()>;
+
+/// Types of the vectors q and p of states, and states as such vectors. Those that turn bodies have
+/// another form; see trajectory_bodies.hpp.
+template <class Vector>
+struct TrajectoryForm {
+    using Positions = Vector;
+    using Momenta = Vector;
+
+    template <class One>
+    [[nodiscard]] static const One& flat(const One& x) {
+        return x;
+    }
+    template <class One>
+    static void set(One& x, const One& at) {
+        x = at;
+    }
+};
+
+template <class Vector>
+using PositionRows = TrajectoryRows<typename TrajectoryForm<Vector>::Positions>;
+template <class Vector>
+using MomentumRows = TrajectoryRows<typename TrajectoryForm<Vector>::Momenta>;
 
 /// Copies a lane of other rows to a lane of these.
 template <class Rows>
@@ -103,12 +127,12 @@ private:
 /// Remainders of q and of p.
 template <class Vector>
 struct RemaindersCarried {
-    TrajectoryRows<Vector> q{}, p{};
+    PositionRows<Vector> q{};
+    MomentumRows<Vector> p{};
 
     void begin_anew(std::size_t lane) {
-        for (TrajectoryRows<Vector>* rows : {&q, &p}) {
-            for (auto& row : *rows) { row.set(lane, 0); }
-        }
+        for (auto& row : q) { row.set(lane, 0); }
+        for (auto& row : p) { row.set(lane, 0); }
     }
 
     void take(std::size_t lane, const RemaindersCarried& other, std::size_t from) {
@@ -131,17 +155,18 @@ struct RemaindersAndSlopeCarried : RemaindersCarried<Vector>, SlopeCarried<Vecto
     }
 };
 
-/// Returns the lanes in which all components of x and y are finite. NOTE: x - x is 0, or NaN.
+/// Returns 0 in the lanes in which all components of x are finite. NOTE: x - x is 0, or NaN.
 template <class Lane, std::size_t dimension>
-[[nodiscard]] auto where_finite(const std::array<Lane, dimension>& x,
-                                const std::array<Lane, dimension>& y) {
+[[nodiscard]] Lane zero_where_finite(const std::array<Lane, dimension>& x) {
     Lane sum = x[0] - x[0];
-    Lane other = y[0] - y[0];
-    for (std::size_t k = 1; k < dimension; ++k) {
-        sum = sum + (x[k] - x[k]);
-        other = other + (y[k] - y[k]);
-    }
-    return sum + other == Lane(ScalarOf<typename Lane::Row>(0));
+    for (std::size_t k = 1; k < dimension; ++k) { sum = sum + (x[k] - x[k]); }
+    return sum;
+}
+
+/// Returns the lanes in which all components of x and y are finite.
+template <class Lane, std::size_t of_x, std::size_t of_y>
+[[nodiscard]] auto where_finite(const std::array<Lane, of_x>& x, const std::array<Lane, of_y>& y) {
+    return zero_where_finite(x) + zero_where_finite(y) == Lane(ScalarOf<typename Lane::Row>(0));
 }
 
 }  // namespace detail
@@ -152,13 +177,18 @@ template <class Lane, std::size_t dimension>
 template <class Vector, template <class> class Carried, class One = State<Vector>>
 class Trajectories {
 public:
-    using Scalar = detail::ScalarOf<Vector>;
+    using Form = detail::TrajectoryForm<Vector>;
+    using Positions = typename Form::Positions;
+    using Momenta = typename Form::Momenta;
+    using Scalar = detail::ScalarOf<Momenta>;
     using Lane = Lanes<Scalar, trajectories_at_once>;
     using Mask = typename Lane::Mask;
-    using Rows = detail::TrajectoryRows<Vector>;
-    using Values = detail::LaneVector<Scalar, trajectories_at_once, detail::fixed_size<Vector>()>;
+    using Rows = detail::TrajectoryRows<Momenta>;
+    using Values = detail::TrajectoryValues<Momenta>;
+    using PositionValues = detail::TrajectoryValues<Positions>;
 
-    Rows q{}, p{};
+    detail::TrajectoryRows<Positions> q{};
+    Rows p{};
     detail::TrajectoryClock<One> clock;
     Carried<Vector> carried;
 
@@ -169,10 +199,9 @@ public:
 
     /// Puts another trajectory into a lane.
     void set(std::size_t lane, const One& x) {
-        for (std::size_t k = 0; k < q.size(); ++k) {
-            q[k].set(lane, detail::at(x.q, k));
-            p[k].set(lane, detail::at(x.p, k));
-        }
+        const auto& from = Form::flat(x);
+        for (std::size_t k = 0; k < q.size(); ++k) { q[k].set(lane, detail::at(from.q, k)); }
+        for (std::size_t k = 0; k < p.size(); ++k) { p[k].set(lane, detail::at(from.p, k)); }
         clock.set(lane, x);
         carried.begin_anew(lane);
         going_.set(lane, 1);
@@ -197,8 +226,10 @@ public:
 
     [[nodiscard]] One operator[](std::size_t lane) const {
         One x;
-        x.q = detail::lane_of<Vector>(q, lane);
-        x.p = detail::lane_of<Vector>(p, lane);
+        auto at = Form::flat(x);
+        at.q = detail::lane_of<Positions>(q, lane);
+        at.p = detail::lane_of<Momenta>(p, lane);
+        Form::set(x, at);
         clock.get(lane, x);
         return x;
     }
@@ -225,7 +256,7 @@ public:
     /// two places, for all lanes and for some, a compiler might fuse products and sums in one place
     /// alone, and a trajectory would depend on its neighbours.
     template <class Carry>
-    void end(const Values& new_q, const Values& new_p, const Mask& made, Carry carry) {
+    void end(const PositionValues& new_q, const Values& new_p, const Mask& made, Carry carry) {
         const auto time = clock.end();
         const Mask finite = time.finite(made);
         const auto move = [&](auto put) {
@@ -244,7 +275,7 @@ public:
     }
 
     /// Ends a step that leaves no memory for the next.
-    void end(const Values& new_q, const Values& new_p, const Mask& made) {
+    void end(const PositionValues& new_q, const Values& new_p, const Mask& made) {
         end(new_q, new_p, made, [](auto) {});
     }
 
@@ -270,7 +301,9 @@ public:
     }
 
     /// Sets rows to values in these lanes.
-    static void keep(const Mask& lanes, const Values& values, Rows& rows) {
+    template <std::size_t dimension>
+    static void keep(const Mask& lanes, const std::array<Lane, dimension>& values,
+                     std::array<typename Lane::Row, dimension>& rows) {
         for (std::size_t k = 0; k < rows.size(); ++k) { keep(lanes, values[k], rows[k]); }
     }
     static void keep(const Mask& lanes, const Lane& values, typename Lane::Row& row) {

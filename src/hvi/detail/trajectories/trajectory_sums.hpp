@@ -16,6 +16,7 @@ class TrajectorySums {
 public:
     using Scalar = typename State::Scalar;
     using Values = typename State::Values;
+    using PositionValues = typename State::PositionValues;
 
     /// Begins a step of these sizes from x. Returns whether it has something to do. Where sums do
     /// not round as they should, all lanes stop.
@@ -28,8 +29,9 @@ public:
     /// Ends the step: adds these changes, which include the remainders so far, to q and p. `carry`
     /// moves the memory of x, as in Trajectories::end().
     template <class Carry>
-    static void end(State& x, Values& change_q, Values& change_p, Carry carry) {
-        Values q, p;
+    static void end(State& x, PositionValues& change_q, Values& change_p, Carry carry) {
+        PositionValues q;
+        Values p;
         add(x.q, change_q, q);
         add(x.p, change_p, p);
         end_at(x, q, p, change_q, change_p, carry);
@@ -37,8 +39,8 @@ public:
 
     /// Ends the step at q and p with these remainders.
     template <class Carry>
-    static void end_at(State& x, const Values& q, const Values& p, const Values& remainder_q,
-                       const Values& remainder_p, Carry carry) {
+    static void end_at(State& x, const PositionValues& q, const Values& p,
+                       const PositionValues& remainder_q, const Values& remainder_p, Carry carry) {
         x.end(q, p, where_finite(q, p), [&](auto put) {
             put(remainder_q, x.carried.q);
             put(remainder_p, x.carried.p);
@@ -47,7 +49,7 @@ public:
     }
 
     /// Ends a step that leaves no memory beside the remainders.
-    static void end(State& x, Values& change_q, Values& change_p) {
+    static void end(State& x, PositionValues& change_q, Values& change_p) {
         end(x, change_q, change_p, [](auto) {});
     }
 
@@ -58,7 +60,9 @@ private:
     using Mask = typename State::Mask;
 
     /// Sets `sum` to from + change, and `change` to the remainder of the sum.
-    static void add(const typename State::Rows& from, Values& change, Values& sum) {
+    template <std::size_t dimension>
+    static void add(const std::array<typename Lane::Row, dimension>& from,
+                    std::array<Lane, dimension>& change, std::array<Lane, dimension>& sum) {
         for (std::size_t k = 0; k < from.size(); ++k) {
             const Sum<Lane> exact = two_sum<Lane>(from[k], change[k]);
             sum[k] = exact.value;

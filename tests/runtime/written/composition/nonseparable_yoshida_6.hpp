@@ -21,7 +21,7 @@
 // Cost:
 //
 //     14 unknowns are solved for in a step
-//     dH/dq and dH/dp once: 2 additions, 4 multiplications
+//     dH/dq and dH/dp once: 2 additions, 3 multiplications
 //     second derivatives once, where Newton's method is needed: 2 additions, 4 multiplications
 //     evaluations in a step of one iteration: 7 of dH/dq, 7 of dH/dp
 //
@@ -78,8 +78,9 @@ public:
 
         constexpr void gradient(const Vector& q, const Vector& p, Vector& dHdq, Vector& dHdp) const
             {
-            dHdq[0] = q[0] + p[0] * p[0] * q[0];
-            dHdp[0] = p[0] + q[0] * q[0] * p[0];
+            const Scalar t1 = q[0] * p[0];
+            dHdq[0] = q[0] + p[0] * t1;
+            dHdp[0] = p[0] + q[0] * t1;
         }
 
         template <class Matrix>

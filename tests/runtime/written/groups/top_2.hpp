@@ -39,6 +39,8 @@
 //         to begin with the momentum of the body makes no symplectic step
 //     fixed points, and Newton's method for steps on which they are slow: how stiff H is depends on
 //         h and on the state
+//     the stages are computed side by side: one evaluation of dH/dq, in vectors of the processor,
+//         serves all 2
 //     the slopes of the last two steps, extrapolated, are the starting values of the iteration: of
 //         few stages, those of one step make a polynomial of low order
 #pragma once
@@ -49,7 +51,7 @@
 #include <cstddef>
 #include <utility>
 
-#include <hvi/detail/groups/coupled_charts.hpp>
+#include <hvi/detail/groups/coupled_chart_lanes.hpp>
 #include <hvi/detail/numbers/math.hpp>
 #include <hvi/detail/solvers/automatic.hpp>
 #include <hvi/detail/solvers/newton_charts.hpp>
@@ -143,9 +145,10 @@ public:
             c10_ = t1;
         }
 
-        constexpr void gradient(const Positions& q, const Vector& p, Vector& dHdq, Vector& dHdp)
-            const {
-            evaluations += 1;
+        template <class Places, class Values, class Value = hvi::detail::ScalarOf<Values>>
+        HVI_INLINE_IN_LANES constexpr void gradient(const Places& q, const Values& p, Values& dHdq,
+            Values& dHdp) const {
+            evaluations += hvi::detail::lane_count<Value>;
             dHdq[0] = q[8] * c5_ - q[7] * c4_;
             dHdq[1] = q[6] * c4_ - q[8] * c6_;
             dHdq[2] = q[7] * c6_ - q[6] * c5_;
@@ -274,7 +277,7 @@ public:
         s_.weigh(b);
         if constexpr (Solver::takes_starting_values) { predict(); }
 
-        status = solver_.solve(Coupled{system_, s_, m, m});
+        status = solver_.solve(Coupled{system_, s_, m, m, lanes});
         const bool is_finite = status.code() != Status::Code::not_finite;
         if (is_finite && !s_.is_in_chart()) {
             return Status(Status::Code::outside_chart, status.iterations);
@@ -348,6 +351,10 @@ private:
         },
     };
 
+    static constexpr hvi::detail::ChartTable<Scalar, 2> lanes{m, m};
+    static constexpr auto N_lanes = hvi::detail::lane_columns(N);
+    static constexpr auto N_before_lanes = hvi::detail::lane_columns(N_before);
+
     // q_d(tau h) is on the chord but for sum_k curve_ik g_k(tau) times slope i, with g_k(tau) =
     // (P_{k+1}-P_{k-1})(2*tau-1)/2 of Legendre's polynomials P_k.
     static constexpr Scalar curve[2][1] = {
@@ -366,14 +373,14 @@ private:
     /// Starting values: the polynomial through the slopes of the last two steps, else slopes as at
     /// the start of this one.
     void predict() {
-        if (s_.extrapolate(m, N, N_before)) { return; }
-        s_.predict(m, [this](const auto& q, const auto& p, auto& dHdq, auto& dHdp) {
+        if (s_.extrapolate(lanes, N_lanes, N_before_lanes)) { return; }
+        s_.predict(lanes, [this](const auto& q, const auto& p, auto& dHdq, auto& dHdp) {
             system_.gradient(q, p, dHdq, dHdp);
         });
     }
 
-    using Stages = hvi::detail::ChartStages<Space, 2>;
-    using Coupled = hvi::detail::CoupledCharts<System, Stages>;
+    using Stages = hvi::detail::ChartLanes<Space, 2>;
+    using Coupled = hvi::detail::CoupledChartLanes<System, Stages>;
 
     System system_;
     Stages s_;

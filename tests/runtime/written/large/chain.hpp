@@ -123,8 +123,9 @@ public:
             const V a3 = hvi::detail::Stretch<V>::load(q + (e + 1));
             const V t1 = a1 - a2;
             const V t2 = a1 - a3;
-            const V t3 = t1 + t1 * t1 * (c1_ + c2_ * t1) + (t2 - t2 * t2 * (c1_ - c2_ * t2));
-            out[0] = V(t3);
+            const V t3 = t1 - t2;
+            const V t4 = (t1 + t2) * (c1_ * t3 + (Scalar(1.0) + c2_ * (t2 * t2 + t1 * t3)));
+            out[0] = V(t4);
         }
 
         /// Force on any site.

@@ -172,8 +172,8 @@ public:
                 const V a3 = stretch.load(way + q_at_ + (i));
                 const V a4 = stretch.load(way_p + p_at_ + (i));
                 const V t1 = Scalar(1.0) + Scalar(1) / Scalar(3) * hvi::math::cos(t);
-                const V t2 = Scalar(0.5) * (t1 * (a1 * a1 + a2 * a2)) * a3 + a1 * (a2 * a4 * t1
-                    + a1 * a3 * t1);
+                const V t2 = Scalar(0.5) * (t1 * (a1 * a1 + a2 * a2)) * a3 + t1 * (a2 * a4
+                    + a1 * a3) * a1;
                 hvi::detail::add(out + q_at_ + (i), V(t2));
             });
         }
@@ -211,10 +211,8 @@ public:
                 const V a3 = stretch.load(way + q_at_ + (i));
                 const V a4 = stretch.load(way_p + p_at_ + (i));
                 const V t1 = Scalar(1.0) + Scalar(1) / Scalar(3) * hvi::math::cos(t);
-                const V t2 = a2 * a2;
-                const V t3 = a4 * (Scalar(0.5) * (t1 * (a1 * a1 + t2)) + t1 * t2)
-                    + a1 * a3 * t1 * a2;
-                hvi::detail::add(out + p_at_ + (i), V(t3));
+                const V t2 = t1 * (Scalar(0.5) * (a1 * a1) + Scalar(1.5) * (a2 * a2)) * a4;
+                hvi::detail::add(out + p_at_ + (i), V(a1 * a3 * t1 * a2 + t2));
             });
         }
 

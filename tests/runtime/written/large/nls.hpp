@@ -94,7 +94,7 @@ public:
                 using V = hvi::detail::ValueOf<decltype(stretch)>;
                 const V a1 = stretch.load(q + q_at_ + (i));
                 const V a2 = stretch.load(p + p_at_ + (i));
-                hvi::detail::add(out + q_at_ + (i), V(a1 * a1 * a1 + a2 * a2 * a1));
+                hvi::detail::add(out + q_at_ + (i), V(a1 * (a1 * a1 + a2 * a2)));
             });
         }
 
@@ -157,9 +157,9 @@ public:
                 const V a2 = stretch.load(p + p_at_ + (i));
                 const V a3 = stretch.load(way + q_at_ + (i));
                 const V a4 = stretch.load(way_p + p_at_ + (i));
-                const V t1 = a1 * a1 * a3;
-                hvi::detail::add(out + q_at_ + (i), V(a2 * a2 * a3 + t1 + Scalar(2.0) * (t1
-                    + a1 * a2 * a4)));
+                const V t1 = a1 * a1;
+                hvi::detail::add(out + q_at_ + (i), V((t1 + a2 * a2) * a3
+                    + Scalar(2.0) * (a1 * a2 * a4 + t1 * a3)));
             });
         }
 
@@ -195,7 +195,8 @@ public:
                 const V a2 = stretch.load(p + p_at_ + (i));
                 const V a3 = stretch.load(way + q_at_ + (i));
                 const V a4 = stretch.load(way_p + p_at_ + (i));
-                const V t1 = (a1 * a1 + a2 * a2) * a4 + Scalar(2.0) * (a2 * (a2 * a4 + a1 * a3));
+                const V t1 = Scalar(2.0) * (a1 * a2 * a3) + a4 * (a1 * a1
+                    + Scalar(3.0) * (a2 * a2));
                 hvi::detail::add(out + p_at_ + (i), V(t1));
             });
         }

@@ -116,7 +116,7 @@ public:
             const V a3 = hvi::detail::Stretch<V>::load(q + (e - 1));
             const V t1 = hvi::math::exp(Scalar(0.5) * (a1 - a2));
             const V t2 = hvi::math::exp(-Scalar(0.5) * (a1 - a3));
-            out[0] = V(-Scalar(10.0) * (t1 * (Scalar(1.0) - t1) - t2 * (Scalar(1.0) - t2)));
+            out[0] = V(-Scalar(10.0) * ((t1 - t2) * (Scalar(1.0) - (t1 + t2))));
         }
 
         /// Force on any site.

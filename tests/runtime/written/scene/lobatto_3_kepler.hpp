@@ -43,7 +43,7 @@
 //     2 unknowns are solved for in a step
 //     dH/dq once: 1 addition, 5 multiplications, 1 division, 1 square root
 //     dH/dp once: nothing to compute
-//     second derivatives once, where Newton's method is needed: 3 additions, 16 multiplications, 1
+//     second derivatives once, where Newton's method is needed: 3 additions, 14 multiplications, 1
 //         division, 1 square root
 //     evaluations in a step of one iteration: 2 of dH/dq, 1 of dH/dp
 //
@@ -126,15 +126,16 @@ public:
 
         template <class Matrix>
         constexpr void d2Hdq2(const Vector& q, Matrix& out) const {
-            const Scalar t1 = q[0] * q[0] + q[1] * q[1];
-            const Scalar t2 = std::sqrt(t1);
-            const Scalar t3 = Scalar(1.0) / (t1 * t2);
-            const Scalar t4 = c1_ * t3;
-            const Scalar t5 = t3 * t3 * t2;
-            const Scalar t6 = q[1] * c1_ * t5;
-            out(0, 0) = t4 - Scalar(3.0) * (q[0] * c1_ * t5 * q[0]);
-            out(1, 0) = -Scalar(3.0) * (q[0] * t6);
-            out(1, 1) = t4 - Scalar(3.0) * (q[1] * t6);
+            const Scalar t1 = q[1] * q[1];
+            const Scalar t2 = q[0] * q[0] + t1;
+            const Scalar t3 = std::sqrt(t2);
+            const Scalar t4 = Scalar(1.0) / (t2 * t3);
+            const Scalar t5 = c1_ * t4;
+            const Scalar t6 = t4 * t4 * t3 * c1_;
+            const Scalar t7 = q[0] * t6;
+            out(0, 0) = t5 - Scalar(3.0) * (q[0] * t7);
+            out(1, 0) = -Scalar(3.0) * t7 * q[1];
+            out(1, 1) = t5 - Scalar(3.0) * (t1 * t6);
             for (std::size_t i = 1; i < 2; ++i) {
                 for (std::size_t j = 0; j < i; ++j) { out(j, i) = out(i, j); }
             }

@@ -59,8 +59,8 @@
 //
 //     16 unknowns are solved for in a step
 //     dH/dq once: 7 additions, 19 multiplications, 1 division, 4 calls
-//     dH/dp once: 4 additions, 10 multiplications, 1 division, 2 calls
-//     second derivatives once, where Newton's method is needed: 20 additions, 57 multiplications, 3
+//     dH/dp once: 4 additions, 11 multiplications, 1 division, 2 calls
+//     second derivatives once, where Newton's method is needed: 20 additions, 58 multiplications, 3
 //         divisions, 8 calls
 //     evaluations in a step of one iteration: 4 of dH/dq, 4 of dH/dp
 //
@@ -116,28 +116,34 @@ public:
         using Vector = Numbers;
 
         constexpr explicit System(const Parameters& parameters) {
-            const Scalar t1 = parameters.m2 * parameters.l1 * parameters.l2;
-            const Scalar t2 = parameters.l2 * parameters.l2;
-            const Scalar t3 = parameters.m2 * t2;
+            const Scalar t1 = parameters.l2 * parameters.l2;
+            const Scalar t2 = parameters.m2 * t1;
+            const Scalar t3 = parameters.m1 + parameters.m2;
             const Scalar t4 = parameters.l1 * parameters.l1;
-            const Scalar t5 = Scalar(1.0) / (parameters.m2 * t4 * t2);
-            const Scalar t6 = parameters.m2 * t5;
-            const Scalar t7 = parameters.m1 + parameters.m2;
-            const Scalar t8 = t7 * t4;
+            const Scalar t5 = t3 * t4;
+            const Scalar t6 = parameters.m2 * t4;
+            const Scalar t7 = Scalar(1.0) / (t1 * t6);
+            const Scalar t8 = parameters.m2 * t7;
+            const Scalar t9 = parameters.m2 * parameters.l1 * parameters.l2;
+            const Scalar t10 = Scalar(2.0) * t9;
             c1_ = parameters.m1;
             c2_ = parameters.m2;
-            c3_ = t1;
+            c3_ = t2;
             c4_ = t5;
-            c5_ = parameters.g * t7 * parameters.l1;
-            c6_ = parameters.m2 * parameters.g * parameters.l2;
-            c7_ = t3 * t5 * parameters.m2;
-            c8_ = t8 * t5 * parameters.m2;
-            c9_ = Scalar(2.0) * t6;
-            c10_ = t3;
-            c11_ = t8;
-            c12_ = Scalar(2.0) * (t1 * t5 * parameters.m2);
-            c13_ = Scalar(2.0) * (t1 * t6);
-            c14_ = Scalar(4.0) * parameters.m2;
+            c5_ = t8;
+            c6_ = parameters.l1 * parameters.g * t3;
+            c7_ = t9 * t7;
+            c8_ = parameters.m2 * parameters.l2 * parameters.g;
+            c9_ = t10;
+            c10_ = t2 * t7;
+            c11_ = t5 * t7;
+            c12_ = t8 * t10;
+            c13_ = t3 * t6 * t7;
+            c14_ = parameters.m2 * parameters.m2 * t1 * t7;
+            c15_ = t9;
+            c16_ = t7;
+            c17_ = parameters.g * t3 * parameters.l1;
+            c18_ = parameters.m2 * parameters.g * parameters.l2;
         }
 
         constexpr void dHdq(const Vector& q, const Vector& p, Vector& out) const {
@@ -145,19 +151,21 @@ public:
             const Scalar t2 = std::cos(t1);
             const Scalar t3 = std::sin(t1);
             const Scalar t4 = Scalar(1.0) / (c1_ + t3 * t3 * c2_);
-            const Scalar t5 = p[1] * (t2 * c3_ * p[0] * c9_ - p[1] * c8_) - p[0] * p[0] * c7_;
-            const Scalar t6 = t3 * (t4 * t4 * (t2 * t5) + p[0] * p[1] * (c4_ * t4 * c3_));
-            out[0] = c5_ * std::sin(q[0]) + t6;
-            out[1] = c6_ * std::sin(q[1]) - t6;
+            const Scalar t5 = t4 * t4 * (t2 * t3 * c5_) * (p[1] * p[1] * c4_
+                - p[0] * (p[1] * t2 * c9_ - p[0] * c3_));
+            const Scalar t6 = p[0] * t4 * c7_ * (p[1] * t3) - t5;
+            out[0] = std::sin(q[0]) * c6_ + t6;
+            out[1] = std::sin(q[1]) * c8_ - t6;
         }
 
         constexpr void dHdp(const Vector& q, const Vector& p, Vector& out) const {
             const Scalar t1 = q[0] - q[1];
-            const Scalar t2 = std::sin(t1);
-            const Scalar t3 = c4_ / (c1_ + t2 * t2 * c2_);
-            const Scalar t4 = std::cos(t1) * c3_ * t3;
-            out[0] = -(p[1] * t4 - c10_ * t3 * p[0]);
-            out[1] = -(p[0] * t4 - c11_ * t3 * p[1]);
+            const Scalar t2 = std::cos(t1);
+            const Scalar t3 = std::sin(t1);
+            const Scalar t4 = Scalar(1.0) / (c1_ + t3 * t3 * c2_);
+            const Scalar t5 = p[0] * t4;
+            out[0] = -(p[1] * t2 * (t4 * c7_) - c10_ * t5);
+            out[1] = -(c7_ * t5 * t2 - t4 * c11_ * p[1]);
         }
 
         template <class Matrix>
@@ -165,18 +173,19 @@ public:
             const Scalar t1 = q[0] - q[1];
             const Scalar t2 = std::cos(t1);
             const Scalar t3 = std::sin(t1);
-            const Scalar t4 = t3 * t3;
-            const Scalar t5 = Scalar(1.0) / (c1_ + c2_ * t4);
-            const Scalar t6 = t5 * t5;
-            const Scalar t7 = t3 * t6;
+            const Scalar t4 = Scalar(1.0) / (c1_ + t3 * t3 * c2_);
+            const Scalar t5 = t2 * t4;
+            const Scalar t6 = t3 * t4;
+            const Scalar t7 = t4 * t6;
             const Scalar t8 = p[0] * p[1];
-            const Scalar t9 = p[1] * (t2 * c3_ * p[0] * c9_ - p[1] * c8_) - p[0] * p[0] * c7_;
-            const Scalar t10 = t6 * (t9 * (Scalar(1.0) - t4 * t5 * c14_) * t2 - t4 * c12_ * t8);
-            const Scalar t11 = t2 * (c4_ * t5 * c3_ * t8 + t10) - t3 * (t9 * t7
-                + t2 * t7 * t8 * c13_);
-            out(0, 0) = std::cos(q[0]) * c5_ + t11;
-            out(1, 0) = -t11;
-            out(1, 1) = std::cos(q[1]) * c6_ + t11;
+            const Scalar t9 = t8 * c7_;
+            const Scalar t10 = c5_ * (p[1] * p[1] * c4_ + p[0] * (p[0] * c3_ - t2 * c9_ * p[1]));
+            const Scalar t11 = t4 * t9 - t4 * t5 * t10 - Scalar(2.0) * (c2_ * t7 * (t3 * t9
+                - Scalar(2.0) * (t2 * t6 * t10)));
+            const Scalar t12 = t3 * (t5 * t6 * c12_ * t8 - t7 * t10) - t2 * t11;
+            out(0, 0) = std::cos(q[0]) * c6_ - t12;
+            out(1, 0) = t12;
+            out(1, 1) = std::cos(q[1]) * c8_ - t12;
             for (std::size_t i = 1; i < 2; ++i) {
                 for (std::size_t j = 0; j < i; ++j) { out(j, i) = out(i, j); }
             }
@@ -186,18 +195,18 @@ public:
         constexpr void d2Hdqdp(const Vector& q, const Vector& p, Matrix& out) const {
             const Scalar t1 = q[0] - q[1];
             const Scalar t2 = std::cos(t1);
-            const Scalar t3 = t2 * c3_;
-            const Scalar t4 = std::sin(t1);
-            const Scalar t5 = Scalar(1.0) / (c1_ + t4 * t4 * c2_);
-            const Scalar t6 = c4_ * t5 * c3_ * t4;
-            const Scalar t7 = t5 * t5 * t4 * t2;
-            const Scalar t8 = p[1] * t7 * c9_ * t3 + p[1] * t6 - Scalar(2.0) * (c7_ * t7 * p[0]);
-            const Scalar t9 = p[1] * c8_;
-            const Scalar t10 = p[0] * t6 - t7 * (t9 - (p[0] * t3 * c9_ - t9));
-            out(0, 0) = t8;
-            out(0, 1) = t10;
-            out(1, 0) = -t8;
-            out(1, 1) = -t10;
+            const Scalar t3 = std::sin(t1);
+            const Scalar t4 = Scalar(1.0) / (c1_ + t3 * t3 * c2_);
+            const Scalar t5 = t3 * t4;
+            const Scalar t6 = c7_ * t5;
+            const Scalar t7 = t2 * t4 * t5;
+            const Scalar t8 = Scalar(2.0) * (c13_ * t7 * p[1]) - p[0] * (t6 + c12_ * t7 * t2);
+            const Scalar t9 = c14_ * t7 * p[0] - p[1] * t6 + c5_ * t7 * (p[0] * c3_
+                - t2 * c9_ * p[1]);
+            out(0, 0) = -t9;
+            out(0, 1) = -t8;
+            out(1, 0) = t9;
+            out(1, 1) = t8;
         }
 
         template <class Matrix>
@@ -205,10 +214,10 @@ public:
             {
             const Scalar t1 = q[0] - q[1];
             const Scalar t2 = std::sin(t1);
-            const Scalar t3 = c4_ / (c1_ + t2 * t2 * c2_);
-            out(0, 0) = c10_ * t3;
-            out(1, 0) = -std::cos(t1) * c3_ * t3;
-            out(1, 1) = c11_ * t3;
+            const Scalar t3 = Scalar(1.0) / (c1_ + t2 * t2 * c2_);
+            out(0, 0) = t3 * c10_;
+            out(1, 0) = -std::cos(t1) * t3 * c7_;
+            out(1, 1) = t3 * c11_;
             for (std::size_t i = 1; i < 2; ++i) {
                 for (std::size_t j = 0; j < i; ++j) { out(j, i) = out(i, j); }
             }
@@ -217,10 +226,10 @@ public:
         [[nodiscard]] constexpr Scalar energy(const Vector& q, const Vector& p) const {
             const Scalar t1 = q[0] - q[1];
             const Scalar t2 = std::sin(t1);
-            const Scalar t3 = p[0] * p[0] * c10_ + p[1] * p[1] * c11_
-                - Scalar(2.0) * (std::cos(t1) * c3_ * (p[0] * p[1]));
-            const Scalar t4 = Scalar(0.5) * (c4_ / (c1_ + t2 * t2 * c2_) * t3)
-                - std::cos(q[0]) * c5_ - std::cos(q[1]) * c6_;
+            const Scalar t3 = p[0] * p[0] * c3_ + p[1] * p[1] * c4_
+                - Scalar(2.0) * (std::cos(t1) * c15_ * (p[0] * p[1]));
+            const Scalar t4 = Scalar(0.5) * (c16_ / (c1_ + t2 * t2 * c2_) * t3)
+                - std::cos(q[0]) * c17_ - std::cos(q[1]) * c18_;
             return t4;
         }
 
@@ -250,6 +259,10 @@ public:
         Scalar c12_ = 0;
         Scalar c13_ = 0;
         Scalar c14_ = 0;
+        Scalar c15_ = 0;
+        Scalar c16_ = 0;
+        Scalar c17_ = 0;
+        Scalar c18_ = 0;
     };
 
     using Solver = hvi::NewtonOfPairs;
