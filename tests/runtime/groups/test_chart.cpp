@@ -122,6 +122,19 @@ TEST_CASE("T and its inverse, and the exponential map, belong together") {
     }
 }
 
+TEST_CASE("starting values leave out terms of T^-1 of the eighth power alone") {
+    // T^-1 = 1 + hat xi/2 + (1/12 + x^2/720 + x^4/30240 + x^6/1209600 + ...) hat xi^2, by
+    // Bernoulli's numbers; each term is at most 1/39 of the one before, times x^2.
+    Random random;
+    for (const double length : {1e-9, 1e-3, 0.1, 0.3, 1.0, 2.0, 3.0}) {
+        const Vector3<double> xi = random.of_length(length), v = random.of_length(1);
+        const Vector3<double> off = ChartPoint<double>(xi).T_inverse(v) - nearly_T_inverse(xi, v);
+        CAPTURE(length);
+        CHECK(std::sqrt(dot(off, off)) <
+              std::pow(length, 8) / (1209600 * (1 - length * length / 39)) + 1e-15);
+    }
+}
+
 TEST_CASE("T xi' is the angular velocity of exp(hat xi) in the body") {
     Random random;
     for (const double length : lengths) {

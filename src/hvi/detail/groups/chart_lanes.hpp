@@ -367,14 +367,23 @@ private:
         begin_with_slopes(table);
     }
 
-    /// Sets Lq, Lp and torques from slopes. NOTE: xi_i is set as if w were Omega, which is good
-    /// enough to begin with.
+    /// Sets Lq, Lp and torques from slopes, with charts that follow the angular velocities.
     void begin_with_slopes(const Table& table) {
-        Rows xi{};
-        products_between<Lane, flat, dimension>(
-            table.m, by_p_, [](std::size_t) { return Lane(Scalar(0)); },
-            [&](std::size_t k, const auto& ways) { store_from(k, ways, xi); });
+        Rows w = by_p_, xi{};
+        set_places(table, w, xi);
+        for (int sweep = 0; sweep < sweeps_of_angles(stages); ++sweep) {
+            for (std::size_t r = 0; r < Space::rotations; ++r) {
+                set_part(w, r, nearly_T_inverse(part(xi, r), part(by_p_, r)));
+            }
+            set_places(table, w, xi);
+        }
         set_slopes(points_at(xi));
+    }
+    /// Sets xi_i = sum_j m_ij w_j.
+    static void set_places(const Table& table, const Rows& w, Rows& xi) {
+        products_between<Lane, flat, dimension>(
+            table.m, w, [](std::size_t) { return Lane(Scalar(0)); },
+            [&](std::size_t k, const auto& ways) { store_from(k, ways, xi); });
     }
 
     [[nodiscard]] Scalar bend_of(std::size_t) const { return Scalar(0); }

@@ -359,19 +359,33 @@ private:
         }
     }
 
-    /// Sets Lq, Lp and torques from slopes. NOTE: xi_i is set as if w were Omega, which is good
-    /// enough to begin with.
+    /// Sets Lq, Lp and torques from slopes, with charts that follow the angular velocities.
     void begin_with_slopes(const Table& m) {
-        for (std::size_t i = 0; i < stages; ++i) {
-            for (std::size_t r = 0; r < Space::rotations; ++r) {
-                Part xi{};
-                for (std::size_t j = 0; j < stages; ++j) {
-                    xi = xi + m[i][j] * hb[j] * Space::part(slopes_[j].by_p, r);
+        for (std::size_t r = 0; r < Space::rotations; ++r) {
+            const auto angular_velocity = [&](std::size_t i) {
+                return hb[i] * Space::part(slopes_[i].by_p, r);
+            };
+            std::array<Part, stages> w;
+            for (std::size_t i = 0; i < stages; ++i) { w[i] = angular_velocity(i); }
+            std::array<Part, stages> xi = places(m, w);
+            for (int sweep = 0; sweep < sweeps_of_angles(stages); ++sweep) {
+                for (std::size_t i = 0; i < stages; ++i) {
+                    w[i] = nearly_T_inverse(xi[i], angular_velocity(i));
                 }
-                points_[i][r] = Point(xi);
+                xi = places(m, w);
             }
+            for (std::size_t i = 0; i < stages; ++i) { points_[i][r] = Point(xi[i]); }
         }
         for (std::size_t i = 0; i < stages; ++i) { set_slopes(i); }
+    }
+    /// Returns xi_i = sum_j m_ij w_j.
+    [[nodiscard]] static std::array<Part, stages> places(const Table& m,
+                                                         const std::array<Part, stages>& w) {
+        std::array<Part, stages> xi{};
+        for (std::size_t i = 0; i < stages; ++i) {
+            for (std::size_t j = 0; j < stages; ++j) { xi[i] = xi[i] + m[i][j] * w[j]; }
+        }
+        return xi;
     }
 
     /// Sets the position and the momentum of a stage from x_ and y_.
