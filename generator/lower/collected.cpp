@@ -181,14 +181,18 @@ private:
                 have_roots = have_roots && uses_.has_root(node);
             }
         }
-        std::vector<HornerForm> result{{}, {.takes_last = true}, {.takes_coefficients = true}};
+        // NOTE: in a single product nothing is taken out first or last.
+        const bool is_sum = polynomial.size() > 1;
+        std::vector<HornerForm> result{{}};
+        const auto add = [&](const HornerForm& form) { result.push_back(form); };
+        if (is_sum) { add({.takes_last = true}); }
+        if (is_sum) { add({.takes_coefficients = true}); }
         if (!has_inverses) { return result; }
-        result.insert(result.end(),
-                      {{.divides_once = true}, {.takes_last = true, .divides_once = true}});
-        if (have_roots) {
-            result.insert(result.end(),
-                          {{.takes_roots = true}, {.takes_last = true, .takes_roots = true}});
-        }
+        add({.divides_once = true});
+        if (is_sum) { add({.takes_last = true, .divides_once = true}); }
+        if (!have_roots) { return result; }
+        add({.takes_roots = true});
+        if (is_sum) { add({.takes_last = true, .takes_roots = true}); }
         return result;
     }
 
@@ -233,8 +237,10 @@ std::vector<Scaled> collected(Graph& graph, const std::vector<Scaled>& values) {
     std::vector<Scaled> best = with_powers_of_exponentials(graph, values);
     double least = cost_of(best);
     const std::vector<Scaled> derived = best;
+    std::set<std::vector<Scaled>> tried;
     // Returns the part of the cost that is saved.
     const auto try_collected = [&](const std::vector<Scaled>& from) {
+        if (!tried.insert(from).second) { return 0.0; }
         std::vector<Scaled> form = Collecting(graph, with_shared_numbers(graph, from))();
         const double cost = cost_of(form);
         if (cost >= least) { return 0.0; }
@@ -243,8 +249,7 @@ std::vector<Scaled> collected(Graph& graph, const std::vector<Scaled>& values) {
     };
     try_collected(best);
     // NOTE: Horner's form takes factors out of sums that others have in products.
-    const std::vector<Scaled> apart = with_common_products(graph, derived);
-    if (apart != derived) { try_collected(apart); }
+    try_collected(with_common_products(graph, derived));
     // NOTE: a form has new nodes, which may have shorter forms themselves. What is found again and
     // again in many thousands of operations is not worth the time.
     constexpr double worth = 0.01;
