@@ -2,7 +2,9 @@
 #include "generator/graph/horner.hpp"
 
 #include <algorithm>
+#include <map>
 #include <optional>
+#include <utility>
 
 namespace hvi::gen {
 
@@ -21,20 +23,12 @@ public:
 
     [[nodiscard]] Scaled operator()(const NodePolynomial& polynomial) {
         const std::map<Node, std::vector<long>> powers = powers_of(polynomial);
+        for (const auto& [node, exponents] : powers) { add_variables(node, exponents); }
         Terms terms;
         for (const auto& [monomial, coefficient] : polynomial) {
-            terms.push_back({coefficient, std::vector<long>(2 * powers.size())});
+            terms.push_back({coefficient, exponents_of(monomial)});
         }
-        std::size_t place = 0;
-        for (const auto& [node, exponents] : powers) {
-            set_variables(node, exponents);
-            std::size_t k = 0;
-            for (const auto& [monomial, coefficient] : polynomial) {
-                set_exponent(monomial, node, place, terms[k++]);
-            }
-            place += 2;
-        }
-        return sum(terms);
+        return sum(std::move(terms));
     }
 
 private:
@@ -55,7 +49,7 @@ private:
     }
 
     /// Adds variables for the positive powers of a node and for the negative ones.
-    void set_variables(Node node, const std::vector<long>& exponents) {
+    void add_variables(Node node, const std::vector<long>& exponents) {
         const auto is_odd = [](long twice) { return twice % 2 != 0; };
         const bool has_roots = std::any_of(exponents.begin(), exponents.end(),
                                            [&](long twice) { return twice > 0 && is_odd(twice); });
@@ -67,20 +61,26 @@ private:
         const long up = has_roots ? 1 : 2;
         const long down = has_inverse_roots || form_.takes_roots ? 1 : 2;
         const Scaled a{{1, 1}, node};
-        variables_.push_back({graph_.half_power(a, up), node, up});
-        variables_.push_back({has_negative ? graph_.half_power(a, -down) : a, node, -down});
-    }
-
-    void set_exponent(const PowerProduct& monomial, Node node, std::size_t place,
-                      Term& term) const {
-        for (const auto& [factor, twice] : monomial) {
-            if (factor != node) { continue; }
-            const std::size_t k = twice > 0 ? place : place + 1;
-            term.exponents[k] = twice / variables_[k].halves;
+        if (std::any_of(exponents.begin(), exponents.end(), [](long twice) { return twice > 0; })) {
+            add_variable({graph_.half_power(a, up), node, up});
         }
+        if (has_negative) { add_variable({graph_.half_power(a, -down), node, -down}); }
+    }
+    void add_variable(const Variable& variable) {
+        places_[{variable.node, variable.halves > 0}] = variables_.size();
+        variables_.push_back(variable);
     }
 
-    [[nodiscard]] Scaled sum(const Terms& terms) {
+    [[nodiscard]] std::vector<long> exponents_of(const PowerProduct& monomial) const {
+        std::vector<long> exponents(variables_.size());
+        for (const auto& [node, twice] : monomial) {
+            const std::size_t place = places_.at({node, twice > 0});
+            exponents[place] = twice / variables_[place].halves;
+        }
+        return exponents;
+    }
+
+    [[nodiscard]] Scaled sum(Terms terms) {
         if (terms.empty()) { return Graph::number(0); }
         if (terms.size() == 1) { return product(terms.front()); }
         if (const auto coefficient = common_coefficient(terms)) {
@@ -88,12 +88,14 @@ private:
         }
         const auto variable = most_common(terms);
         if (!variable) { return sum_by_coefficients(terms); }
-        Terms inside, rest;
-        for (const Term& term : terms) {
-            (term.exponents[*variable] > 0 ? inside : rest).push_back(term);
+        const auto has_it = [&](const Term& term) { return term.exponents[*variable] > 0; };
+        if (std::all_of(terms.begin(), terms.end(), has_it)) {
+            return taken_out(*variable, std::move(terms));
         }
+        Terms inside, rest;
+        for (Term& term : terms) { (has_it(term) ? inside : rest).push_back(std::move(term)); }
         const Scaled taken = taken_out(*variable, std::move(inside));
-        return rest.empty() ? taken : graph_.sum({taken, sum(rest)});
+        return graph_.sum({taken, sum(std::move(rest))});
     }
 
     /// Returns the node that more than one coefficient is a number of times, if it is wanted: that
@@ -117,22 +119,23 @@ private:
             (has_it ? inside : rest).push_back(term);
             if (has_it) { inside.back().coefficient = Graph::number(term.coefficient.factor); }
         }
-        const Scaled together = graph_.product({{1, 1}, coefficient}, sum(inside));
-        return rest.empty() ? together : graph_.sum({together, sum(rest)});
+        const Scaled together = graph_.product({{1, 1}, coefficient}, sum(std::move(inside)));
+        return rest.empty() ? together : graph_.sum({together, sum(std::move(rest))});
     }
 
     /// Returns the variable that most terms have; empty where each has its own.
     [[nodiscard]] std::optional<std::size_t> most_common(const Terms& terms) const {
         std::optional<std::size_t> best;
         std::ptrdiff_t most = 1;
-        for (std::size_t k = 0; k < variables_.size(); ++k) {
+        const auto all = static_cast<std::ptrdiff_t>(terms.size());
+        for (std::size_t i = 0; i < variables_.size() && most < all; ++i) {
+            const std::size_t k = form_.takes_last ? variables_.size() - 1 - i : i;
             const auto count = std::count_if(terms.begin(), terms.end(), [&](const Term& term) {
                 return term.exponents[k] > 0;
             });
-            if (count > most || (best && form_.takes_last && count == most)) {
-                best = k;
-                most = count;
-            }
+            if (count <= most) { continue; }
+            best = k;
+            most = count;
         }
         return best;
     }
@@ -156,17 +159,17 @@ private:
             return is_constant(term) && graph_.is_number(term.coefficient) &&
                    term.coefficient.factor.size().is_one();
         });
-        if (one == terms.end()) { return graph_.product(first, sum(terms)); }
+        if (one == terms.end()) { return graph_.product(first, sum(std::move(terms))); }
         const Scaled sign = one->coefficient;
         Terms rest = terms;
         rest.erase(rest.begin() + (one - terms.begin()));
         const bool go_on = std::all_of(rest.begin(), rest.end(), [&](const Term& term) {
             return term.exponents[variable] > 0;
         });
-        if (!go_on) { return graph_.product(first, sum(terms)); }
+        if (!go_on) { return graph_.product(first, sum(std::move(terms))); }
         const Scaled more = power(variables_[variable].value, take_lowest(variable, rest));
         return graph_.sum({graph_.times(sign.factor, first),
-                           graph_.product(graph_.product(first, more), sum(rest))});
+                           graph_.product(graph_.product(first, more), sum(std::move(rest)))});
     }
 
     [[nodiscard]] static bool is_constant(const Term& term) {
@@ -243,6 +246,7 @@ private:
     Graph& graph_;
     HornerForm form_;
     std::vector<Variable> variables_;
+    std::map<std::pair<Node, bool>, std::size_t> places_;  ///< of positive powers, and of others
 };
 
 }  // namespace
