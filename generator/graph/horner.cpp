@@ -50,21 +50,18 @@ private:
 
     /// Adds variables for the positive powers of a node and for the negative ones.
     void add_variables(Node node, const std::vector<long>& exponents) {
-        const auto is_odd = [](long twice) { return twice % 2 != 0; };
-        const bool has_roots = std::any_of(exponents.begin(), exponents.end(),
-                                           [&](long twice) { return twice > 0 && is_odd(twice); });
-        const bool has_inverse_roots =
-            std::any_of(exponents.begin(), exponents.end(),
-                        [&](long twice) { return twice < 0 && is_odd(twice); });
-        const bool has_negative =
-            std::any_of(exponents.begin(), exponents.end(), [](long twice) { return twice < 0; });
+        const auto have = [&](const auto& some) {
+            return std::any_of(exponents.begin(), exponents.end(), some);
+        };
+        const auto is_positive = [](long twice) { return twice > 0; };
+        const auto is_negative = [](long twice) { return twice < 0; };
+        const bool has_roots = have([](long twice) { return twice > 0 && twice % 2 != 0; });
+        const bool has_inverse_roots = have([](long twice) { return twice < 0 && twice % 2 != 0; });
         const long up = has_roots ? 1 : 2;
         const long down = has_inverse_roots || form_.takes_roots ? 1 : 2;
         const Scaled a{{1, 1}, node};
-        if (std::any_of(exponents.begin(), exponents.end(), [](long twice) { return twice > 0; })) {
-            add_variable({graph_.half_power(a, up), node, up});
-        }
-        if (has_negative) { add_variable({graph_.half_power(a, -down), node, -down}); }
+        if (have(is_positive)) { add_variable({graph_.half_power(a, up), node, up}); }
+        if (have(is_negative)) { add_variable({graph_.half_power(a, -down), node, -down}); }
     }
     void add_variable(const Variable& variable) {
         places_[{variable.node, variable.halves > 0}] = variables_.size();
@@ -246,7 +243,8 @@ private:
     Graph& graph_;
     HornerForm form_;
     std::vector<Variable> variables_;
-    std::map<std::pair<Node, bool>, std::size_t> places_;  ///< of positive powers, and of others
+    std::map<std::pair<Node, bool>, std::size_t>
+        places_;  ///< of variables: whether powers are positive
 };
 
 }  // namespace
